@@ -1,0 +1,49 @@
+#pragma once
+// The closed set of operators, from the table in operators.def.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace mbcc::graph {
+
+enum class Operator : std::uint8_t {
+#define MBCC_OPERATOR1(name, spelling, code, value, slope_a) name,
+#define MBCC_OPERATOR2(name, spelling, code, value, slope_a, slope_b) name,
+#define MBCC_OPERATOR3(name, spelling, code, value, slope_a, slope_b, slope_c) name,
+#include "graph/operators.def"
+};
+
+struct OperatorRow {
+  Operator op;
+  std::string_view name;
+  std::string_view spelling;  ///< in models
+  std::string_view code;      ///< in C++
+  int arity;
+};
+
+inline constexpr std::array operator_table = {
+#define MBCC_OPERATOR1(name, spelling, code, value, slope_a) OperatorRow{Operator::name, #name, spelling, code, 1},
+#define MBCC_OPERATOR2(name, spelling, code, value, slope_a, slope_b) \
+  OperatorRow{Operator::name, #name, spelling, code, 2},
+#define MBCC_OPERATOR3(name, spelling, code, value, slope_a, slope_b, slope_c) \
+  OperatorRow{Operator::name, #name, spelling, code, 3},
+#include "graph/operators.def"
+};
+
+constexpr const OperatorRow& row(Operator op) { return operator_table[static_cast<std::size_t>(op)]; }
+constexpr int arity(Operator op) { return row(op).arity; }
+
+/// A function of the language by its spelling in models (`sin`, `atan2`, `if`); symbols are not functions.
+constexpr std::optional<Operator> find_function(std::string_view spelling) {
+  for (const OperatorRow& candidate : operator_table) {
+    const char first = candidate.spelling.front();
+    if (first >= 'a' && first <= 'z' && candidate.spelling == spelling) {
+      return candidate.op;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace mbcc::graph

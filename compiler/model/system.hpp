@@ -1,0 +1,122 @@
+#pragma once
+// The System: a mechanical system in which every name is an id, every loop is unrolled and every rule of the language
+// holds. It knows coordinates, speeds, inertia, forces, constraints and outputs, but not what a particle is.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graph/operators.hpp"
+#include "source/source.hpp"
+
+namespace mbcc::model {
+
+/// Index into System::expressions.
+enum class ExpressionId : std::uint32_t {};
+enum class CoordinateId : std::uint32_t {};
+enum class SpeedId : std::uint32_t {};
+enum class ParameterId : std::uint32_t {};
+
+template <class Id>
+constexpr std::uint32_t index(Id id) {
+  return static_cast<std::uint32_t>(id);
+}
+
+enum class ExpressionKind : std::uint8_t {
+  Number,      ///< `number`
+  Time,        ///< t
+  Coordinate,  ///< `index` is a CoordinateId
+  Speed,       ///< `index` is a SpeedId
+  Parameter,   ///< `index` is a ParameterId
+  Apply,       ///< `op` applied to the first arity(op) `operands`
+  Rate,        ///< total time derivative along the motion of operands[0]
+};
+
+/// A scalar expression. Operands come earlier in System::expressions than the node that uses them.
+struct Expression {
+  ExpressionKind kind = ExpressionKind::Number;
+  graph::Operator op = graph::Operator::Add;
+  std::uint32_t index = 0;
+  double number = 0;
+  std::array<ExpressionId, 3> operands{};
+  Span span;
+};
+
+struct Coordinate {
+  std::string name;  ///< "x1", "bob.x", "p[3].x"
+  SpeedId rate;      ///< the speed that is this coordinate's time derivative
+  ExpressionId initial;
+  Span span;
+};
+
+struct Speed {
+  std::string name;          ///< "vx1", "bob.vx"
+  std::string acceleration;  ///< "ax1", "bob.ax"
+  ExpressionId inertia;      ///< the mass that resists it; depends on numbers and parameters only
+  ExpressionId initial;
+  Span span;
+};
+
+/// One additive contribution to the applied force along one speed.
+struct Force {
+  std::string name;  ///< for messages and summaries: "force on particle 1, x"
+  SpeedId speed;
+  ExpressionId value;
+  Span span;
+};
+
+/// The loop (by its statement's span) and step that made a constraint, so that equal ones can be found again.
+struct Template {
+  Span statement;
+  std::vector<long> indices;
+};
+
+/// value = 0. Holonomic if no speed occurs in it.
+struct Constraint {
+  std::string name;  ///< "sphere", "link[3]", "pin.x", or "constraint_K"
+  ExpressionId value;
+  bool holonomic = true;
+  Span span;         ///< of the equation
+  std::string text;  ///< the equation as the user wrote it, on one line
+  std::optional<Template> made_by;
+};
+
+struct Parameter {
+  std::string name;
+  double value = 0;
+  Span span;
+};
+
+struct Output {
+  std::string name;
+  ExpressionId value;
+  Span span;
+};
+
+/// The `integrate` statement: defaults of the emitted program. Absent is absent.
+struct Integration {
+  std::optional<double> from, to, step, tolerance, every;
+  std::optional<std::string> method;
+};
+
+struct System {
+  std::string name;  ///< of the `system` statement, or from the file's name
+  int dimension = 3;
+  std::vector<Expression> expressions;
+  std::vector<Coordinate> coordinates;
+  std::vector<Speed> speeds;
+  std::vector<Parameter> parameters;
+  std::vector<Force> forces;
+  std::vector<Constraint> constraints;
+  std::vector<Output> outputs;
+  Integration integration;
+
+  const Expression& operator[](ExpressionId id) const { return expressions[index(id)]; }
+  const Coordinate& operator[](CoordinateId id) const { return coordinates[index(id)]; }
+  const Speed& operator[](SpeedId id) const { return speeds[index(id)]; }
+  const Parameter& operator[](ParameterId id) const { return parameters[index(id)]; }
+};
+
+}  // namespace mbcc::model

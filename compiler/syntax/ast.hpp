@@ -1,0 +1,175 @@
+#pragma once
+// The syntax tree: one struct per production of grammar/model.ebnf, nothing checked beyond the grammar.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "source/source.hpp"
+
+namespace mbcc::ast {
+
+struct Expression;
+
+struct Number {
+  double value = 0;
+  bool is_natural = false;  ///< digits only
+};
+
+/// One step of a path: `p[i, j]` in `p[i, j].position`.
+struct Part {
+  std::string name;
+  Span span;
+  std::vector<Expression> indices;
+};
+
+/// A dotted path: `x1`, `bob.x`, `p[i].position`, `upper.bob.x`.
+struct Reference {
+  std::vector<Part> parts;
+};
+
+struct Unary {
+  char sign = '+';  ///< '+' or '-'
+  std::vector<Expression> operand;  ///< exactly one
+};
+
+enum class BinaryOperator { Add, Subtract, Multiply, Divide, Power };
+struct Binary {
+  BinaryOperator op = BinaryOperator::Add;
+  Span op_span;
+  std::vector<Expression> operands;  ///< exactly two: left, right
+};
+
+enum class ComparisonOperator { Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual };
+/// Occurs only as the first argument of `if`; the grammar accepts it there alone.
+struct Comparison {
+  ComparisonOperator op = ComparisonOperator::Less;
+  Span op_span;
+  std::vector<Expression> operands;  ///< exactly two
+};
+
+struct Call {
+  std::string function;
+  Span function_span;
+  std::vector<Expression> arguments;
+};
+
+/// `(a, b, c)`; two components or more.
+struct Vector {
+  std::vector<Expression> components;
+};
+
+struct Parenthesised {
+  std::vector<Expression> inner;  ///< exactly one
+};
+
+/// Postfix prime: the total time derivative of its operand.
+struct Rate {
+  std::vector<Expression> operand;  ///< exactly one
+};
+
+/// `sum(j in first..last, body)`.
+struct Sum {
+  std::string index;
+  Span index_span;
+  std::vector<Expression> bounds;  ///< exactly two: first, last
+  std::vector<Expression> body;    ///< exactly one
+};
+
+struct Expression {
+  Span span;
+  std::variant<Number, Reference, Unary, Binary, Comparison, Call, Vector, Parenthesised, Rate, Sum> node;
+};
+
+/// What a statement declares: a name with indices inside loops, or a number (`particle 1`).
+struct Declarator {
+  std::string name;  ///< empty for a number
+  std::optional<double> number;
+  Span span;
+  std::vector<Expression> indices;
+};
+
+/// `mass = 1` inside a particle or integrate block.
+struct Field {
+  std::string name;
+  Span name_span;
+  Expression value;
+};
+
+struct System {
+  std::string name;
+  Span name_span;
+};
+struct Dimension {
+  Expression value;
+};
+struct Particle {
+  Declarator name;
+  std::vector<Field> fields;
+};
+/// `constraint label : left = right`; without `=` the left side is zero. More than two sides is the user's mistake.
+struct Constraint {
+  std::optional<Declarator> label;
+  std::vector<Expression> sides;  ///< at least one
+};
+struct Let {
+  Declarator name;
+  Expression value;
+};
+struct Constant {
+  Declarator name;
+  Expression value;
+};
+struct Parameter {
+  Declarator name;
+  Expression value;
+};
+struct Output {
+  Declarator name;
+  Expression value;
+};
+struct ForceOn {
+  Expression target;  ///< a Reference, or a Number for a numbered particle
+  Expression value;
+};
+struct Gravity {
+  Expression value;
+};
+struct Import {
+  std::string path;
+  Span path_span;
+};
+struct Integrate {
+  std::vector<Field> fields;
+};
+struct For;
+
+/// A statement of the language's later steps, recognised so that it is refused by name: `body`, `coordinate`, ...
+struct Unsupported {
+  std::string keyword;
+};
+
+using StatementNode = std::variant<System, Dimension, Particle, Constraint, Let, Constant, Parameter, Output, ForceOn,
+                                   Gravity, Import, Integrate, For, Unsupported>;
+struct Statement;
+
+struct For {
+  std::string index;
+  Span index_span;
+  std::vector<Expression> bounds;  ///< exactly two: first, last
+  std::vector<Statement> body;
+};
+
+struct Statement {
+  Span span;          ///< the whole statement
+  Span keyword_span;  ///< its first word
+  StatementNode node;
+};
+
+struct ModelFile {
+  std::vector<Statement> statements;
+};
+
+}  // namespace mbcc::ast

@@ -1,0 +1,34 @@
+#pragma once
+// Tokens: what the lexer makes of model text. No white space and no comments survive.
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "source/source.hpp"
+
+namespace mbcc {
+
+enum class TokenKind : std::uint8_t {
+#define MBCC_TOKEN(name, described) name,
+#include "syntax/tokens.def"
+#undef MBCC_TOKEN
+};
+
+/// The token in the user's words, for messages: "a name", "`)`", "the end of the file".
+std::string_view describe(TokenKind kind);
+
+struct Token {
+  TokenKind kind;
+  Span span;
+  std::string_view text;  ///< into the Source; empty for EndOfFile
+};
+
+/// Ends in exactly one EndOfFile. A line's end that ends a statement is a Separator, as is `;`.
+using TokenBuffer = std::vector<Token>;
+
+/// Never fails: what is no token is reported and skipped.
+TokenBuffer lex(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+
+}  // namespace mbcc
