@@ -9,9 +9,9 @@
 namespace mbcc::graph {
 
 enum class Operator : std::uint8_t {
-#define MBCC_OPERATOR1(name, spelling, code, value, slope_a) name,
-#define MBCC_OPERATOR2(name, spelling, code, value, slope_a, slope_b) name,
-#define MBCC_OPERATOR3(name, spelling, code, value, slope_a, slope_b, slope_c) name,
+#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) name,
+#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) name,
+#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) name,
 #include "graph/operators.def"
 };
 
@@ -24,10 +24,10 @@ struct OperatorRow {
 };
 
 inline constexpr std::array operator_table = {
-#define MBCC_OPERATOR1(name, spelling, code, value, slope_a) OperatorRow{Operator::name, #name, spelling, code, 1},
-#define MBCC_OPERATOR2(name, spelling, code, value, slope_a, slope_b) \
+#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) OperatorRow{Operator::name, #name, spelling, code, 1},
+#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
   OperatorRow{Operator::name, #name, spelling, code, 2},
-#define MBCC_OPERATOR3(name, spelling, code, value, slope_a, slope_b, slope_c) \
+#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
   OperatorRow{Operator::name, #name, spelling, code, 3},
 #include "graph/operators.def"
 };

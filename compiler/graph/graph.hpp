@@ -1,0 +1,111 @@
+#pragma once
+// The expression graph: every distinct expression exists once, so that equality is identity.
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "graph/operators.hpp"
+
+namespace mbcc::graph {
+
+/// How often a value has to be computed: once ever, once per run, once per time, once per state.
+enum class Level : std::uint8_t { Constant, Parameter, Time, State };
+
+enum class Kind : std::uint8_t { Constant, Parameter, Time, Coordinate, Speed, Acceleration, Apply };
+
+/// Index of a node; operands have smaller indices than the nodes that use them.
+using NodeId = std::uint32_t;
+
+struct Node {
+  Kind kind = Kind::Constant;
+  Operator op = Operator::Add;    ///< of Apply
+  Level level = Level::Constant;  ///< the largest of the operands'
+  std::uint32_t index = 0;        ///< of Parameter, Coordinate, Speed, Acceleration
+  double value = 0;               ///< of Constant
+  std::array<NodeId, 3> operands{};
+
+  std::span<const NodeId> used_operands() const {
+    return {operands.data(), kind == Kind::Apply ? static_cast<std::size_t>(arity(op)) : 0};
+  }
+};
+
+class Graph;
+
+/// A node of a graph as a value that can be computed with: the operators build further nodes of the same graph.
+class Expr {
+ public:
+  Expr() = default;
+  Expr(Graph& graph, NodeId id) : graph_(&graph), id_(id) {}
+
+  Graph& graph() const { return *graph_; }
+  NodeId id() const { return id_; }
+  const Node& node() const;
+  Level level() const { return node().level; }
+  bool is_constant() const { return node().kind == Kind::Constant; }
+  bool is_constant(double value) const { return is_constant() && node().value == value; }
+
+  friend bool operator==(const Expr&, const Expr&) = default;
+  friend auto operator<=>(const Expr& a, const Expr& b) { return a.id_ <=> b.id_; }
+
+ private:
+  Graph* graph_ = nullptr;
+  NodeId id_ = 0;
+};
+
+class Graph {
+ public:
+  Graph() = default;
+  Graph(const Graph&) = delete;
+  Graph& operator=(const Graph&) = delete;
+
+  Expr constant(double value);
+  Expr leaf(Kind kind, std::uint32_t index = 0);
+
+  /// The expression `op(operands)`, folded and in canonical form: Note [folding] in simplify.cpp.
+  Expr apply(Operator op, std::span<const Expr> operands);
+  /// The node exactly as asked for, except that it exists once.
+  Expr intern(Operator op, std::span<const Expr> operands);
+
+  std::size_t size() const { return nodes_.size(); }
+  const Node& operator[](NodeId id) const { return nodes_[id]; }
+  Expr at(NodeId id) { return {*this, id}; }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Node& node) const;
+  };
+  struct Same {
+    bool operator()(const Node& a, const Node& b) const;
+  };
+
+  Expr intern(const Node& node);
+
+  std::vector<Node> nodes_;
+  std::unordered_map<Node, NodeId, Hash, Same> ids_;
+};
+
+inline const Node& Expr::node() const { return (*graph_)[id_]; }
+
+// clang-format off
+#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) \
+  inline Expr function(Expr a) { return a.graph().apply(Operator::name, std::array{a}); }
+#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
+  inline Expr function(Expr a, Expr b) { return a.graph().apply(Operator::name, std::array{a, b}); }
+#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
+  inline Expr function(Expr a, Expr b, Expr c) { return a.graph().apply(Operator::name, std::array{a, b, c}); }
+#include "graph/operators.def"
+// clang-format on
+
+inline Expr operator+(Expr a, Expr b) { return add(a, b); }
+inline Expr operator-(Expr a, Expr b) { return subtract(a, b); }
+inline Expr operator*(Expr a, Expr b) { return multiply(a, b); }
+inline Expr operator/(Expr a, Expr b) { return divide(a, b); }
+inline Expr operator-(Expr a) { return negate(a); }
+inline Expr number(Expr like, double x) { return like.graph().constant(x); }
+inline bool is_zero(Expr a) { return a.is_constant(0); }
+
+}  // namespace mbcc::graph
