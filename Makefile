@@ -1,0 +1,51 @@
+# The few verbs; the work is in CMakePresets.json. JOBS=N limits how many things are done at once.
+JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
+CXX ?= c++
+CLANG_FORMAT ?= clang-format-14
+CLANG_TIDY ?= clang-tidy-14
+
+build = cmake --preset $(1) && cmake --build --preset $(1) -j $(JOBS)
+sources = git ls-files '*.cpp' '*.hpp'
+
+.PHONY: all demo test stress bench fuzz install format check-format tidy packages
+all: packages
+	$(call build,release)
+
+# The paper's example, from the model to its constraint errors.
+demo: packages
+	$(call build,release) --target mbcc_program mbrt
+	@mkdir -p build/demo
+	build/release/mbcc examples/artigo5/artigo5.mbd -o build/demo/artigo5.cpp
+	$(CXX) -std=c++20 -O2 build/demo/artigo5.cpp -Iruntime/include -Lbuild/release/runtime -lmbrt -o build/demo/artigo5
+	build/demo/artigo5
+
+test: all
+	ctest --preset release -j $(JOBS)
+
+stress: all
+	ctest --preset stress
+
+bench: packages
+	$(call build,release) --target mbcc_bench
+	build/release/benchmarks/mbcc_bench
+
+fuzz: packages
+	cmake/install-packages check
+	$(call build,fuzz) --target mbcc_fuzz
+	build/fuzz/tests/fuzz/mbcc_fuzz -runs=$(or $(RUNS),200000) examples
+
+install: all
+	cmake --install build/release --prefix $(PREFIX)
+
+format:
+	$(sources) | xargs $(CLANG_FORMAT) -i
+
+check-format:
+	$(sources) | xargs $(CLANG_FORMAT) --dry-run -Werror
+
+tidy: all
+	git ls-files 'compiler/*.cpp' 'runtime/*.cpp' 'cmake/*.cpp' | xargs -P $(JOBS) -n 1 $(CLANG_TIDY) --quiet -p build/release
+
+packages:
+	@cmake/install-packages build
