@@ -16,16 +16,27 @@ enum class TokenKind : std::uint8_t {
 #undef MBCC_TOKEN
 };
 
+inline constexpr std::size_t token_kinds = 0
+#define MBCC_TOKEN(name, described) +1
+#include "syntax/tokens.def"
+    ;
+
 /// The token in the user's words, for messages: "a name", "`)`", "the end of the file".
 std::string_view describe(TokenKind kind);
+std::string_view name_of(TokenKind kind);  ///< its enumerator, for dumps
+
+/// A word that can begin a statement, now or in a later version. No name and no operand is one.
+bool begins_statement(TokenKind kind);
+bool is_comparison(TokenKind kind);
 
 struct Token {
   TokenKind kind;
   Span span;
-  std::string_view text;  ///< into the Source; empty for EndOfFile
+  std::string_view text;  ///< into the Source; empty for EndOfFile and line ends
 };
 
-/// Ends in exactly one EndOfFile. A line's end that ends a statement is a Separator, as is `;`.
+/// Ends in exactly one EndOfFile. A line's end that ends a statement is a Separator, as is `;`; the former has no text,
+/// and it and EndOfFile stand right behind the token before them.
 using TokenBuffer = std::vector<Token>;
 
 /// Never fails: what is no token is reported and skipped.
