@@ -1,6 +1,7 @@
 #pragma once
 // The syntax tree: one struct per production of grammar/model.ebnf, nothing checked beyond the grammar.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,7 +32,7 @@ struct Reference {
 };
 
 struct Unary {
-  char sign = '+';  ///< '+' or '-'
+  char sign = '+';                  ///< '+' or '-'
   std::vector<Expression> operand;  ///< exactly one
 };
 
@@ -78,9 +79,16 @@ struct Sum {
   std::vector<Expression> body;    ///< exactly one
 };
 
+using ExpressionNode =
+    std::variant<Number, Reference, Unary, Binary, Comparison, Call, Vector, Parenthesised, Rate, Sum>;
+
+/// No expression that the parser made is higher than this, so that passes may walk the tree by recursion.
+inline constexpr std::uint32_t max_height = 1000;
+
 struct Expression {
   Span span;
-  std::variant<Number, Reference, Unary, Binary, Comparison, Call, Vector, Parenthesised, Rate, Sum> node;
+  ExpressionNode node;
+  std::uint32_t height = 1;  ///< nodes on the longest way down to a leaf, both included
 };
 
 /// What a statement declares: a name with indices inside loops, or a number (`particle 1`).
