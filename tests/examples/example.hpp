@@ -1,0 +1,24 @@
+#pragma once
+// Runs an example by its name.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/accuracy.hpp"
+#include "support/run_model.hpp"
+
+namespace mbcc::test {
+
+inline std::filesystem::path example(const std::string& name) {
+  return std::filesystem::path(MBCC_SOURCE_DIR) / "examples" / name / (name + ".mbd");
+}
+
+inline Run run_example(const std::string& name, const std::vector<std::string>& flags = {}) {
+  Run run = run_model(example(name), flags);
+  INFO(run.errors);
+  REQUIRE(run.exit_code == 0);
+  return run;
+}
+
+}  // namespace mbcc::test
