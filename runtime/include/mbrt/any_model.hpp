@@ -1,0 +1,56 @@
+#pragma once
+// The one seam between the templates of the runtime and its precompiled part: a model whose type has been forgotten.
+
+#include <span>
+
+#include "mbrt/island.hpp"
+#include "mbrt/model.hpp"
+#include "mbrt/rk4.hpp"
+
+namespace mbrt {
+
+/// A step observer (rk4.hpp) of precompiled code.
+class Observer {
+ public:
+  virtual void arriving() = 0;
+  virtual bool accepted(double time, std::span<const double> state, std::span<const double> rate) = 0;
+
+ protected:
+  ~Observer() = default;
+};
+
+/// The functions of a `Model`, with states as spans of coordinates().size() + speeds().size() doubles.
+class AnyModel {
+ public:
+  virtual const Description& description() const = 0;
+  virtual std::span<double> parameters() = 0;
+  virtual void prepare() = 0;
+  virtual void initial_state(std::span<double> state) = 0;
+  virtual void set_time(double time) = 0;
+  virtual void rates(std::span<const double> state, std::span<double> rate) = 0;
+  virtual Island island(int index) = 0;
+  virtual void island_rows(int index, std::span<const double> state) = 0;
+  virtual void constraint_errors(std::span<const double> state, std::span<const double> rate,
+                                 std::span<double> position, std::span<double> velocity,
+                                 std::span<double> acceleration) = 0;
+  virtual double energy(std::span<const double> state) = 0;
+  virtual void outputs(std::span<const double> state, std::span<const double> rate, std::span<double> values) = 0;
+  virtual void applied_forces(std::span<const double> state, std::span<double> values) = 0;
+
+  /// Moves `state` along the grid with rk4.
+  virtual void integrate(const TimeGrid& grid, std::span<double> state, Observer& observer) = 0;
+  virtual void integrate(const TimeGrid& grid, std::span<double> state) = 0;
+
+  /// Repeats one step of rk4 from `state` and leaves there the first stage whose rate is not finite. Returns its time,
+  /// which is then the time of the model, or NaN if every stage is finite.
+  virtual double find_failing_stage(double time, double step, std::span<double> state) = 0;
+
+ protected:
+  ~AnyModel() = default;
+};
+
+/// The emitted program: reads the command line, runs the model, writes what was asked for; returns the exit code
+/// (0 fine, 2 wrong usage or unwritable output, 3 run-time failure, 130 interrupted).
+int run_program(AnyModel& model, int argc, char** argv);
+
+}  // namespace mbrt

@@ -1,0 +1,35 @@
+#pragma once
+// Why a run cannot go on, in the words of the model.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mbrt/any_model.hpp"
+
+namespace mbrt {
+
+/// Names the force or the constraint that is not a finite number at `state`; the model's time is `time`.
+std::string explain_not_finite(AnyModel& model, const std::vector<Island>& islands, double time,
+                               std::span<const double> state);
+
+/// Errors of all constraints at one state.
+struct ConstraintErrors {
+  std::span<const double> position;
+  std::span<const double> velocity;
+  std::span<const double> acceleration;
+};
+
+/// Names the constraints of island `k` that no acceleration satisfies together at `state`; empty if there are none.
+/// Meant for islands whose rank is deficient there: rows of full rank cannot contradict each other.
+///
+/// Note [contradiction]: the residual |A_k u' - b_k| of a row is compared with the size of the row's own terms,
+///   |b_k| + sum_j |A_kj| (|a_j| + |c_j|) + |A_k| |u|^2 / |q|,  c = u' - a,
+/// the last one standing for terms that cancel inside b_k. Rows that agree on the constraint manifold disagree off it:
+/// at a relative distance d each term, a polynomial of degree p or like one, is off by about p d of itself. So
+/// residuals up to 10 d are drift; never more than a tenth, since d itself grows where constraints contradict each
+/// other; and those up to 1e-6 are what a cut-off of 1e-8 leaves in rows that it holds for parallel, with a margin.
+std::string find_contradiction(AnyModel& model, const Island& island, int k, double time, std::span<const double> state,
+                               std::span<const double> rate, const ConstraintErrors& errors);
+
+}  // namespace mbrt

@@ -1,0 +1,228 @@
+// Steps 2 and 3 of Note [rank ladder] in island.hpp. Everything happens in the island's own storage: nothing allocates.
+//
+// With the row scales in D, the problem is B w = D r, B = D A M^-1/2, and then c = M^-1/2 w.
+
+#include <Eigen/Core>
+#include <Eigen/Householder>
+#include <algorithm>
+#include <cmath>
+
+#include "mbrt/island.hpp"
+#include "mbrt/math.hpp"
+
+namespace mbrt {
+namespace {
+
+using Index = Eigen::Index;
+using Matrix = Eigen::Map<Eigen::MatrixXd>;
+using RowMatrix = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+using Vector = Eigen::Map<Eigen::VectorXd>;
+
+/// Hands out the island's scratch storage piece by piece.
+class Scratch {
+ public:
+  explicit Scratch(std::span<double> storage) : rest_(storage) {}
+
+  double* take(Index count) {
+    double* const piece = rest_.data();
+    rest_ = rest_.subspan(static_cast<std::size_t>(count));
+    return piece;
+  }
+
+ private:
+  std::span<double> rest_;
+};
+
+Vector vector(std::span<double> storage) { return {storage.data(), static_cast<Index>(storage.size())}; }
+
+/// LDL^T of S = B B^T: D on the diagonal of `factor`, L below it. False, with the factor unfinished, if a pivot is too
+/// small for refinement to make up for it.
+bool factor_squared(const RowMatrix& b, RowMatrix& factor) {
+  for (Index i = 0; i < b.rows(); ++i) {
+    const double diagonal = b.row(i).squaredNorm();
+    double pivot = diagonal;
+    for (Index j = 0; j < i; ++j) {
+      factor(i, j) = b.row(i).dot(b.row(j)) - factor.row(i).head(j).dot(factor.row(j).head(j));
+    }
+    for (Index j = 0; j < i; ++j) {
+      const double product = factor(i, j);
+      factor(i, j) = product / factor(j, j);
+      pivot -= product * factor(i, j);
+    }
+    if (!(pivot >= std::max(refined_pivot_ratio * diagonal, vanishing_ratio))) {
+      return false;
+    }
+    factor(i, i) = pivot;
+  }
+  return true;
+}
+
+void solve_squared(const RowMatrix& factor, Vector& x) {
+  const Index size = factor.rows();
+  for (Index i = 1; i < size; ++i) {
+    x(i) -= factor.row(i).head(i).dot(x.head(i));
+  }
+  x.array() /= factor.diagonal().array();
+  for (Index i = size - 1; i > 0; --i) {
+    x.head(i) -= x(i) * factor.row(i).head(i).transpose();
+  }
+}
+
+/// Step 2. The residual r - B (B^T z) never sees S, so that the error of w ends near eps cond(B), not its square.
+bool solve_refined(const RowMatrix& b, const Vector& r, Scratch scratch, Vector& w) {
+  constexpr int refinements = 2;
+  const Index rows = b.rows();
+  RowMatrix factor(scratch.take(rows * rows), rows, rows);
+  Vector z(scratch.take(rows), rows);
+  Vector correction(scratch.take(rows), rows);
+  if (!factor_squared(b, factor)) {
+    return false;
+  }
+  z.setZero();
+  correction = r;
+  for (int round = 0;; ++round) {
+    solve_squared(factor, correction);
+    z += correction;
+    w.setZero();
+    for (Index i = 0; i < rows; ++i) {
+      w += z(i) * b.row(i).transpose();
+    }
+    if (round == refinements) {
+      return true;
+    }
+    for (Index i = 0; i < rows; ++i) {
+      correction(i) = r(i) - b.row(i).dot(w);
+    }
+  }
+}
+
+/// Householder QR of B^T (columns x rows) with the longest remaining column next, so that the order of rows does not
+/// matter; stops where nothing longer than the cut-off remains, and returns the rank. `r` follows the columns.
+Index factor_pivoted(Matrix& transposed, Vector& r, double cutoff, double* tau, double* workspace) {
+  const Index columns = transposed.rows();
+  const Index rows = transposed.cols();
+  double smallest = cutoff;
+  for (Index k = 0; k < std::min(rows, columns); ++k) {
+    const auto remaining = [&](Index j) { return transposed.col(j).tail(columns - k).norm(); };
+    Index longest = k;
+    double length = remaining(k);
+    for (Index j = k + 1; j < rows; ++j) {
+      if (const double candidate = remaining(j); candidate > length) {
+        longest = j;
+        length = candidate;
+      }
+    }
+    if (k == 0) {
+      smallest = cutoff * std::max(length, 1.0);
+    }
+    if (!(length > smallest)) {
+      return k;
+    }
+    transposed.col(k).swap(transposed.col(longest));
+    std::swap(r(k), r(longest));
+    double beta = 0;
+    transposed.col(k).tail(columns - k).makeHouseholderInPlace(tau[k], beta);
+    transposed(k, k) = beta;
+    transposed.bottomRightCorner(columns - k, rows - k - 1)
+        .applyHouseholderOnTheLeft(transposed.col(k).tail(columns - k - 1), tau[k], workspace);
+  }
+  return std::min(rows, columns);
+}
+
+/// Least squares L y = r for L (rows x rank) of full column rank: y becomes the head of r, and the tail of r what L
+/// cannot reach.
+void solve_least_squares(Matrix& l, Vector& r, double* workspace) {
+  const Index rows = l.rows();
+  const Index rank = l.cols();
+  for (Index k = 0; k < rank; ++k) {
+    double tau = 0;
+    double beta = 0;
+    l.col(k).tail(rows - k).makeHouseholderInPlace(tau, beta);
+    l(k, k) = beta;
+    const auto essential = l.col(k).tail(rows - k - 1);
+    l.bottomRightCorner(rows - k, rank - k - 1).applyHouseholderOnTheLeft(essential, tau, workspace);
+    r.tail(rows - k).applyHouseholderOnTheLeft(essential, tau, workspace);
+  }
+  for (Index k = rank - 1; k >= 0; --k) {
+    r(k) /= l(k, k);
+    r.head(k) -= r(k) * l.col(k).head(k);
+  }
+}
+
+/// Step 3: B = P L Q^T with L (rows x rank) lower trapezoidal, by two factorisations; w = Q L^+ P^T r.
+void solve_orthogonal(Matrix& transposed, Vector& r, Scratch scratch, Vector& w, IslandRecord& record) {
+  const Index columns = transposed.rows();
+  const Index rows = transposed.cols();
+  double* const tau = scratch.take(std::min(rows, columns));
+  double* const workspace = scratch.take(rows + columns);
+  const double size = r.norm();
+  const Index rank = factor_pivoted(transposed, r, record.cutoff, tau, workspace);
+  Matrix l(scratch.take(rows * rank), rows, rank);
+  for (Index j = 0; j < rank; ++j) {
+    l.col(j).head(j).setZero();
+    l.col(j).tail(rows - j) = transposed.row(j).tail(rows - j).transpose();
+  }
+  solve_least_squares(l, r, workspace);
+  w.head(rank) = r.head(rank);
+  w.tail(columns - rank).setZero();
+  for (Index k = rank - 1; k >= 0; --k) {
+    w.tail(columns - k).applyHouseholderOnTheLeft(transposed.col(k).tail(columns - k - 1), tau[k], workspace);
+  }
+  record.rank = static_cast<int>(rank);
+  record.smallest_rank = std::min(record.smallest_rank, record.rank);
+  record.unreachable = size > 0 ? r.tail(rows - rank).norm() / size : 0;
+}
+
+}  // namespace
+
+void climb(const Island& island, std::span<double> added) {
+  Vector w = vector(added);
+  Vector r = vector(island.rows.residual);
+  Vector root = vector(island.rows.mobility);
+  RowMatrix b(island.rows.matrix.data(), r.size(), root.size());
+  root = root.cwiseSqrt();
+  for (Index i = 0; i < b.rows(); ++i) {
+    const double scale = island.scale[static_cast<std::size_t>(i)];
+    r(i) *= scale;
+    b.row(i).array() *= scale * root.transpose().array();
+  }
+  if (!all_finite(island.rows.matrix) || !all_finite(island.rows.residual)) {
+    w.setConstant(std::numeric_limits<double>::quiet_NaN());  // for the monitors to find, not for the cut-off to drop
+    return;
+  }
+  IslandRecord& record = *island.record;
+  if (solve_refined(b, r, Scratch(island.scratch), w)) {
+    ++record.refined;
+    record.rank = static_cast<int>(b.rows());
+    record.unreachable = 0;
+  } else {
+    ++record.pinv;
+    Matrix transposed(b.data(), b.cols(), b.rows());
+    solve_orthogonal(transposed, r, Scratch(island.scratch), w, record);
+  }
+  w.array() *= root.array();
+}
+
+int take_scales(const Island& island) {
+  const std::size_t columns = island.rows.mobility.size();
+  int vanishing = 0;
+  for (std::size_t i = 0; i < island.scale.size(); ++i) {
+    double square = 0;
+    for (std::size_t j = 0; j < columns; ++j) {
+      const double entry = island.rows.matrix[i * columns + j];
+      square += entry * entry * island.rows.mobility[j];
+    }
+    double& scale = island.scale[i];
+    const double smallest = scale > 0 ? vanishing_size / scale : 0;
+    if (std::isfinite(square) && std::sqrt(square) > smallest) {
+      scale = 1 / std::sqrt(square);
+      island.floor[i] = vanishing_ratio * square;
+    } else {
+      ++vanishing;
+      scale = scale > 0 ? scale : 1;
+    }
+  }
+  return vanishing;
+}
+
+}  // namespace mbrt

@@ -1,0 +1,212 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "spelling.hpp"
+
+namespace mbrt {
+namespace {
+
+/// A mistake on the command line; leaves this file as exit code 2.
+struct UsageError {
+  std::string message;
+};
+
+/// The line as typed, before it is checked against the model.
+struct Typed {
+  Options options;
+  std::string method;
+  double tolerance = not_given;
+  std::vector<std::string> set;
+  std::vector<std::string> initial;
+  std::string project = "off";
+};
+
+double finite(std::string_view text, std::string_view flag) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    throw UsageError{fmt::format("`{}` in `{}` is not a finite number", text, flag)};
+  }
+  return value;
+}
+
+double positive(std::string_view text, std::string_view flag) {
+  const double value = finite(text, flag);
+  if (value <= 0) {
+    throw UsageError{fmt::format("`{} {}` is not positive", flag, text)};
+  }
+  return value;
+}
+
+/// NAME=VALUE pairs as indices into `names`.
+std::vector<Assignment> assignments(const std::vector<std::string>& texts, std::string_view flag, std::string_view kind,
+                                    std::span<const std::string_view> names) {
+  std::vector<Assignment> result;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError{fmt::format("`{} {}` is not of the form NAME=VALUE", flag, text)};
+    }
+    const std::string_view name = std::string_view(text).substr(0, equals);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      const std::string_view guess = closest(name, names);
+      throw UsageError{fmt::format("the model has no {} `{}`{}", kind, name,
+                                   guess.empty() ? "" : fmt::format(", did you mean `{}`", guess))};
+    }
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    for (const Assignment& earlier : result) {
+      if (earlier.index == index) {
+        throw UsageError{fmt::format("`{}` gives `{}` two values", flag, name)};
+      }
+    }
+    result.push_back({index, finite(std::string_view(text).substr(equals + 1), fmt::format("{} {}", flag, text))});
+  }
+  return result;
+}
+
+std::string or_default(const char* text, double value) {
+  return std::isnan(value) ? std::string(text) : fmt::format("{} [{}]", text, value);
+}
+
+void add_flags(CLI::App& app, const Description& model, Typed& typed) {
+  const Defaults& defaults = model.defaults;
+  Options& options = typed.options;
+  const auto number = [&app](const char* flag, const std::string& help, double& target, auto check) {
+    app.add_option_function<std::string>(
+           flag, [&target, flag, check](const std::string& text) { target = check(text, flag); }, help)
+        ->type_name("NUMBER");
+  };
+  const auto refused = [&app](const char* flag, const char* type, const std::string& help) {
+    const auto refuse = [flag](const CLI::results_t&) -> bool {
+      throw UsageError{fmt::format("`{}` is not part of this version of mbcc", flag)};
+    };
+    app.add_option(flag, refuse, help + " (refused)")->type_name(type)->expected(0, -1);
+  };
+  number("--from", or_default("start time", options.from), options.from, finite);
+  number("--to", or_default("end time", defaults.to), options.to, finite);
+  number("--step", or_default("step of rk4", defaults.step), options.step, finite);
+  app.add_option("--method", typed.method, "rk4: classical Runge-Kutta, constant step")->type_name("NAME");
+  number("--tolerance", "error per step, for methods that choose their step", typed.tolerance, positive);
+  app.add_option("--set", typed.set, "value of a parameter, any number of times")->type_name("NAME=VALUE");
+  app.add_option("--initial", typed.initial, "value of a coordinate or speed at the start")->type_name("NAME=VALUE");
+  refused("--assemble", "", "move the start to the nearest consistent one");
+  refused("--fix", "NAME", "hold a coordinate while assembling");
+  app.add_option("--project", typed.project, "project onto the constraints after a step; only `off` is accepted")
+      ->type_name("on|off");
+  refused("--stabilize", "B1,B2,B3", "Baumgarte stabilization");
+  number("--cutoff", fmt::format("relative size below which singular values count as zero [{}]", default_cutoff),
+         options.cutoff, positive);
+  app.add_option("--csv", options.csv, "record the motion in this file; `-` is standard output")->type_name("FILE");
+  number("--every", or_default("distance of recorded rows in time; without it, each step", defaults.every),
+         options.every, positive);
+  app.add_option("--summary", options.summary, "write what the run found to this file, as JSON")->type_name("FILE");
+  app.add_flag("--quiet", options.quiet, "no summary on standard output");
+  app.add_flag("--progress", options.progress, "show on standard error how far the run is");
+  app.add_option("--repeat", options.repeat, "then integrate N times unobserved and report the fastest")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+}
+
+void check_method(const Typed& typed) {
+  if (typed.method != "rk4") {
+    throw UsageError{fmt::format("the method `{}` is not part of this version of mbcc, which has `rk4`", typed.method)};
+  }
+  if (typed.project != "off") {
+    throw UsageError{typed.project == "on" ? "`--project on` is not part of this version of mbcc"
+                                           : fmt::format("`--project {}` is neither `on` nor `off`", typed.project)};
+  }
+  if (!std::isnan(typed.tolerance)) {
+    fmt::print(stderr, "warning: `--tolerance` has no effect on `rk4`, whose step is constant\n");
+  }
+}
+
+void check_times(const Options& options) {
+  if (std::isnan(options.to)) {
+    throw UsageError{"neither the model nor `--to` says when to stop"};
+  }
+  if (std::isnan(options.step)) {
+    throw UsageError{"neither the model nor `--step` gives the step of `rk4`"};
+  }
+  if (options.step <= 0) {
+    throw UsageError{fmt::format("the step {} is not positive", options.step)};
+  }
+  if (options.to < options.from) {
+    throw UsageError{fmt::format("the end time {} is before the start time {}", options.to, options.from)};
+  }
+  const double steps = (options.to - options.from) / options.step;
+  // Beyond, from + i step no longer tells neighbouring times apart.
+  if (steps > 1 / std::numeric_limits<double>::epsilon()) {
+    throw UsageError{fmt::format("the step {} is too small: {:.3g} steps", options.step, steps)};
+  }
+  if (std::abs(steps - std::round(steps)) > 1e-9 * std::max(1.0, steps)) {
+    fmt::print(stderr, "warning: the step {} does not divide the span from {} to {}: the last step is shortened\n",
+               options.step, options.from, options.to);
+  }
+}
+
+void check_files(const Options& options) {
+  if (!options.csv.empty() && options.csv == options.summary) {
+    throw UsageError{fmt::format("`--csv` and `--summary` both write to `{}`", options.csv)};
+  }
+  if (options.cutoff >= 1) {
+    throw UsageError{fmt::format("the cut-off {} is not below 1: nothing would be left", options.cutoff)};
+  }
+}
+
+Options checked(const Description& model, Typed typed) {
+  std::vector<std::string_view> parameters;
+  for (const ParameterEntry& parameter : model.parameters) {
+    parameters.emplace_back(parameter.name);
+  }
+  std::vector<std::string_view> state(model.coordinates.begin(), model.coordinates.end());
+  state.insert(state.end(), model.speeds.begin(), model.speeds.end());
+  check_method(typed);
+  check_times(typed.options);
+  check_files(typed.options);
+  typed.options.parameters = assignments(typed.set, "--set", "parameter", parameters);
+  typed.options.initial = assignments(typed.initial, "--initial", "coordinate or speed", state);
+  return typed.options;
+}
+
+Typed defaults_of(const Description& model) {
+  const Defaults& defaults = model.defaults;
+  Typed typed;
+  typed.options.from = std::isnan(defaults.from) ? 0 : defaults.from;
+  typed.options.to = defaults.to;
+  typed.options.step = defaults.step;
+  typed.options.every = defaults.every;
+  typed.method = defaults.method != nullptr ? defaults.method : "rk4";
+  return typed;
+}
+
+}  // namespace
+
+std::variant<Options, ExitCode> read_command_line(const Description& model, int argc, char** argv) {
+  Typed typed = defaults_of(model);
+  CLI::App app(fmt::format("simulates {} (mbcc {})", model.model, model.mbcc_version));
+  add_flags(app, model, typed);
+  try {
+    app.parse(argc, argv);
+    return checked(model, std::move(typed));
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app.help());
+    return ExitFine;
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "error: {}\n", error.message);
+  }
+  return ExitUsage;
+}
+
+}  // namespace mbrt

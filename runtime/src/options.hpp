@@ -1,0 +1,41 @@
+#pragma once
+// The command line of an emitted program.
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mbrt/model.hpp"
+
+namespace mbrt {
+
+enum ExitCode : int { ExitFine = 0, ExitUsage = 2, ExitFailed = 3, ExitInterrupted = 130 };
+
+/// A value given on the command line to parameter `index`, or to element `index` of the state.
+struct Assignment {
+  std::size_t index;
+  double value;
+};
+
+/// What a run is asked to do; valid: times are finite, `step` > 0, `to` >= `from`.
+struct Options {
+  double from = 0;
+  double to = not_given;
+  double step = not_given;
+  double every = not_given;
+  double cutoff = default_cutoff;
+  std::vector<Assignment> parameters;
+  std::vector<Assignment> initial;
+  std::string csv;      ///< empty: no recording; `-`: standard output
+  std::string summary;  ///< likewise
+  bool quiet = false;
+  bool progress = false;
+  long repeat = 0;
+};
+
+/// Reads the command line over the model's defaults. Where there is nothing to run (wrong usage, `--help`) says so and
+/// returns the exit code.
+std::variant<Options, ExitCode> read_command_line(const Description& model, int argc, char** argv);
+
+}  // namespace mbrt

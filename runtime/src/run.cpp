@@ -1,0 +1,150 @@
+#include "run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "interrupt.hpp"
+#include "records.hpp"
+#include "start.hpp"
+
+namespace mbrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A line on standard error that says how far the run is, at most five times a second.
+class Progress {
+ public:
+  Progress(double from, double to) : from_(from), to_(to) {}
+  ~Progress() { fmt::print(stderr, "\n"); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(double time) {
+    if (time < to_ && seconds_since(shown_) < 0.2) {
+      return;
+    }
+    shown_ = Clock::now();
+    const double done = to_ > from_ ? (time - from_) / (to_ - from_) : 1;
+    const double remaining = done > 0 ? seconds_since(begin_) * (1 - done) / done : 0;
+    fmt::print(stderr, "\r{:5.1f} %, {:.0f} s remaining ", 100 * done, remaining);
+  }
+
+ private:
+  const double from_;
+  const double to_;
+  const Clock::time_point begin_ = Clock::now();
+  Clock::time_point shown_ = begin_;
+};
+
+/// Shows each accepted state to everyone who wants to see it.
+class Watch final : public Observer {
+ public:
+  Watch(AnyModel& model, const Options& options, const std::vector<Island>& islands, Recorder* recorder)
+      : monitor_(model, islands), recorder_(recorder) {
+    if (options.progress) {
+      progress_.emplace(options.from, options.to);
+    }
+  }
+
+  void arriving() override { monitor_.arriving(); }
+
+  bool accepted(double time, std::span<const double> state, std::span<const double> rate) override {
+    ++arrivals_;
+    message_ = monitor_.observe(time, state, rate);
+    if (!message_.empty()) {
+      return false;
+    }
+    ++accepted_;
+    time_ = time;
+    state_.assign(state.begin(), state.end());
+    if (recorder_ != nullptr) {
+      const Clock::time_point begin = Clock::now();
+      recorder_->accepted(time, state, rate);
+      recording_ += seconds_since(begin);
+    }
+    if (progress_) {
+      progress_->show(time);
+    }
+    return !interrupted();
+  }
+
+  /// What was seen by the end of an integration to `to` that took `seconds` in all.
+  Outcome outcome(double to, double seconds) const {
+    Outcome outcome;
+    outcome.message = message_;
+    outcome.status = !message_.empty()              ? Status::Failed
+                     : interrupted() && time_ != to ? Status::Interrupted
+                                                    : Status::Ok;
+    outcome.steps = std::max(0L, accepted_ - 1);
+    outcome.evaluations = 4 * (arrivals_ - 1) + 1;
+    outcome.wall_seconds = seconds - recording_;
+    outcome.time = time_;
+    outcome.state = state_;
+    outcome.findings = monitor_.findings();
+    return outcome;
+  }
+
+ private:
+  Monitor monitor_;
+  Recorder* const recorder_;
+  std::optional<Progress> progress_;
+  std::string message_;
+  long arrivals_ = 0;
+  long accepted_ = 0;
+  double recording_ = 0;
+  double time_ = 0;
+  std::vector<double> state_;
+};
+
+Outcome inconsistent_start(const Options& options, std::string message, std::vector<double> state) {
+  Outcome outcome;
+  outcome.status = Status::Failed;
+  outcome.message = std::move(message);
+  outcome.time = options.from;
+  outcome.state = std::move(state);
+  return outcome;
+}
+
+}  // namespace
+
+Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
+  const std::vector<Island> islands = islands_of(model);
+  std::vector<double> state = start_state(model, options);
+  take_row_scales(model, islands, options.from, state);
+  for (const Island& island : islands) {
+    island.record->cutoff = options.cutoff;
+  }
+  if (std::string message = find_inconsistencies(model, islands, state); !message.empty()) {
+    return inconsistent_start(options, std::move(message), std::move(state));
+  }
+  Watch watch(model, options, islands, recorder);
+  const Clock::time_point begin = Clock::now();
+  model.integrate(time_grid(options.from, options.to, options.step), state, watch);
+  Outcome outcome = watch.outcome(options.to, seconds_since(begin));
+  for (const Island& island : islands) {
+    outcome.solves.push_back(*island.record);
+  }
+  return outcome;
+}
+
+double fastest_run(AnyModel& model, const Options& options) {
+  const TimeGrid grid = time_grid(options.from, options.to, options.step);
+  const std::vector<double> start = start_state(model, options);
+  std::vector<double> state(start);
+  double fastest = std::numeric_limits<double>::infinity();
+  for (long i = 0; i < options.repeat && !interrupted(); ++i) {
+    std::copy(start.begin(), start.end(), state.begin());
+    const Clock::time_point begin = Clock::now();
+    model.integrate(grid, state);
+    fastest = std::min(fastest, seconds_since(begin));
+  }
+  return fastest;
+}
+
+}  // namespace mbrt

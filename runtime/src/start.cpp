@@ -1,0 +1,94 @@
+#include "start.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "constraint_distance.hpp"
+#include "records.hpp"
+
+namespace mbrt {
+namespace {
+
+/// Mistyped starts are off by more, and rounded ones (`0.7071068`) by less.
+constexpr double start_tolerance = 1e-6;
+
+void take_scales_at(AnyModel& model, const std::vector<Island>& islands, const std::vector<double>& state) {
+  for (std::size_t k = 0; k < islands.size(); ++k) {
+    model.island_rows(static_cast<int>(k), state);
+    take_scales(islands[k]);
+  }
+}
+
+/// A state near by, off in no special direction: a tenth of the state's size times the fractional parts of multiples
+/// of the golden ratio.
+std::vector<double> displaced(const Description& model, std::vector<double> state) {
+  const std::span<double> all = state;
+  std::size_t i = 0;
+  for (const auto part : {all.first(model.coordinates.size()), all.subspan(model.coordinates.size())}) {
+    const double reach = 0.1 * extent(part);
+    for (double& value : part) {
+      constexpr double golden = 1.618033988749895;
+      const double multiple = static_cast<double>(++i) * golden;
+      value += reach * (multiple - std::floor(multiple) - 0.5);
+    }
+  }
+  return state;
+}
+
+}  // namespace
+
+std::vector<double> start_state(AnyModel& model, const Options& options) {
+  for (const Assignment& parameter : options.parameters) {
+    model.parameters()[parameter.index] = parameter.value;
+  }
+  model.prepare();
+  std::vector<double> state(state_size(model.description()));
+  model.initial_state(state);
+  for (const Assignment& initial : options.initial) {
+    state[initial.index] = initial.value;
+  }
+  return state;
+}
+
+void take_row_scales(AnyModel& model, const std::vector<Island>& islands, double time,
+                     const std::vector<double>& state) {
+  model.set_time(time);
+  take_scales_at(model, islands, displaced(model.description(), state));
+  take_scales_at(model, islands, state);
+}
+
+std::string find_inconsistencies(AnyModel& model, const std::vector<Island>& islands,
+                                 const std::vector<double>& state) {
+  const Description& description = model.description();
+  const std::span<const double> all = state;
+  const double reach = start_tolerance * extent(all.first(description.coordinates.size()));
+  const double speed = start_tolerance * extent(all.subspan(description.coordinates.size()));
+  std::vector<double> position(description.constraints.size()), velocity(position), unused(position);
+  const std::vector<double> no_rate(state.size());
+  model.constraint_errors(state, no_rate, position, velocity, unused);
+  std::string messages;
+  for (std::size_t k = 0; k < islands.size(); ++k) {
+    model.island_rows(static_cast<int>(k), state);
+    for (std::size_t row = 0; row < islands[k].scale.size(); ++row) {
+      const auto index = static_cast<std::size_t>(description.islands[k].constraints[row]);
+      const ConstraintEntry& entry = description.constraints[index];
+      const double norm = row_norm(islands[k].rows, row);
+      if (const double off = distance(position[index], norm); off > reach) {
+        fmt::format_to(std::back_inserter(messages),
+                       "{}: error: the start violates constraint `{}`: its value is {:.6g}, {:.3g} away from zero in "
+                       "the coordinates\n",
+                       entry.place, entry.name, position[index], off);
+      } else if (const double fast = distance(velocity[index], norm); fast > speed) {
+        fmt::format_to(std::back_inserter(messages),
+                       "{}: error: the initial velocities violate constraint `{}`: {} is {:.6g}, {:.3g} away from zero "
+                       "in the speeds\n",
+                       entry.place, entry.name, entry.holonomic ? "its rate" : "its value", velocity[index], fast);
+      }
+    }
+  }
+  return messages;
+}
+
+}  // namespace mbrt
