@@ -1,7 +1,6 @@
 # The few verbs; the work is in CMakePresets.json. JOBS=N limits how many things are done at once.
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
-CXX ?= c++
 CLANG_FORMAT ?= clang-format-14
 CLANG_TIDY ?= clang-tidy-14
 
