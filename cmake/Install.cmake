@@ -1,11 +1,12 @@
 # What `cmake --install` lays down: the programs, the runtime with its headers, the examples, and the two ways in which
 # other builds find them: find_package(mbcc) and pkg-config mbrt. The tree may be moved as a whole.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mbcc)
 
-install(TARGETS mbcc_program mbcc_compare mbrt EXPORT mbccTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set_target_properties(mbcc_program PROPERTIES EXPORT_NAME mbcc)
+set_target_properties(mbrt PROPERTIES EXPORT_NAME runtime)
+install(TARGETS mbcc_program mbcc_compare mbrt EXPORT mbccTargets)
 install(DIRECTORY runtime/include/mbrt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.mbd PATTERN *.md)
 
