@@ -56,7 +56,7 @@ TEST_CASE("double pendulum: quadruple-precision end state of the chaotic motion,
   CHECK(run.summary["energy"]["max_drift"].get<double>() < 1e-7);
   const nlohmann::json end = nlohmann::json::parse(
       read_file(std::filesystem::path(MBCC_SOURCE_DIR) / "tests/models/references.json"))["double_pendulum"]["end"];
-  const double tolerance = 1e-5;  // RK4's 1e-9 of local error, grown by the motion itself
+  const double tolerance = 1e-6;  // RK4 at this step is 4e-7 off, by an independent integration
   CHECK(run.table.last("upper.x") == near(end["x1"], tolerance));
   CHECK(run.table.last("upper.y") == near(end["y1"], tolerance));
   CHECK(run.table.last("lower.x") == near(end["x2"], tolerance));
