@@ -17,6 +17,6 @@ ast::ModelFile parse(const TokenBuffer& tokens, Diagnostics& diagnostics);
 void check_strict(const ast::ModelFile& model, const Sources& sources, Diagnostics& diagnostics);
 
 std::string print(const TokenBuffer& tokens, const Sources& sources);  ///< for `dump --stage=tokens`
-std::string print(const ast::ModelFile& model);                       ///< for `dump --stage=syntax`
+std::string print(const ast::ModelFile& model);                        ///< for `dump --stage=syntax`
 
 }  // namespace mbcc

@@ -24,6 +24,8 @@ bool begins_statement(TokenKind kind) {
   return kind == TokenKind::LaterWord || (kind >= TokenKind::System && kind <= TokenKind::For);
 }
 
+bool is_reserved(TokenKind kind) { return begins_statement(kind) || kind == TokenKind::If || kind == TokenKind::Sum; }
+
 bool is_comparison(TokenKind kind) {
   switch (kind) {
     case TokenKind::Less:

@@ -25,8 +25,8 @@ inline constexpr std::size_t token_kinds = 0
 std::string_view describe(TokenKind kind);
 std::string_view name_of(TokenKind kind);  ///< its enumerator, for dumps
 
-/// A word that can begin a statement, now or in a later version. No name and no operand is one.
-bool begins_statement(TokenKind kind);
+bool begins_statement(TokenKind kind);  ///< a word of a statement, now or in a later version
+bool is_reserved(TokenKind kind);       ///< a word that no thing can have as its name
 bool is_comparison(TokenKind kind);
 
 struct Token {
