@@ -77,19 +77,35 @@ struct Table {
   [[nodiscard]] double last(const std::string& name) const { return (*this)[name].back(); }
 };
 
+/// The cells of one row; a cell in quotes may hold commas.
+inline std::vector<std::string> cells(const std::string& row) {
+  std::vector<std::string> found(1);
+  bool in_quotes = false;
+  for (const char c : row) {
+    if (c == '"') {
+      in_quotes = !in_quotes;
+    } else if (c == ',' && !in_quotes) {
+      found.emplace_back();
+    } else {
+      found.back() += c;
+    }
+  }
+  return found;
+}
+
+/// Missing cells are NaN.
 inline Table parse_csv(const std::string& text) {
   Table table;
   std::istringstream lines(text);
-  std::string line, cell;
-  std::getline(lines, line);
-  for (std::istringstream header(line); std::getline(header, cell, ',');) {
-    table.names.push_back(cell);
+  std::string line;
+  if (std::getline(lines, line)) {
+    table.names = cells(line);
   }
   table.columns.resize(table.names.size());
   while (std::getline(lines, line)) {
-    std::istringstream row(line);
-    for (std::vector<double>& column : table.columns) {
-      column.push_back(std::getline(row, cell, ',') ? std::strtod(cell.c_str(), nullptr) : std::nan(""));
+    const std::vector<std::string> row = cells(line);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      table.columns[i].push_back(i < row.size() ? std::strtod(row[i].c_str(), nullptr) : std::nan(""));
     }
   }
   return table;
