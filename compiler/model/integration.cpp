@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "diagnostics/spelling.hpp"
+#include "model/system_builder.hpp"
+
+namespace mbcc::model {
+namespace {
+
+struct NumberField {
+  std::string_view name;
+  std::optional<double> Integration::*value;
+  bool must_be_positive;
+};
+constexpr std::array number_fields = {
+    NumberField{"from", &Integration::from, false},          NumberField{"to", &Integration::to, false},
+    NumberField{"step", &Integration::step, true},           NumberField{"every", &Integration::every, true},
+    NumberField{"tolerance", &Integration::tolerance, true},
+};
+
+/// Those of the command line; which of them are built is for the program that integrates to say.
+const std::vector<std::string_view> methods = {"rk4", "dop853", "taylor", "radau", "auto"};
+
+}  // namespace
+
+void SystemBuilder::add(const ast::Integrate& integrate, const Instance& /*instance*/) {
+  std::vector<std::string_view> known = {"method"};
+  for (const NumberField& field : number_fields) {
+    known.push_back(field.name);
+  }
+  const Fields fields = fields_of("integrate", integrate.fields, known);
+  for (const auto& [name, field] : fields) {
+    if (name == "method") {
+      set_method(field->value);
+    } else {
+      set(*field);
+    }
+  }
+  const Integration& set = system_.integration;
+  const double from = set.from.value_or(0);
+  if (set.to && *set.to < from) {
+    context_.report.report(Finding::EndsBeforeStart, fields.at("to")->value.span, *set.to, from);
+  }
+}
+
+void SystemBuilder::set(const ast::Field& field) {
+  for (const NumberField& known : number_fields) {
+    if (known.name != field.name) {
+      continue;
+    }
+    const std::optional<double> number = evaluator_.structural(field.value, nullptr, fmt::format("`{}`", field.name));
+    if (number && known.must_be_positive && *number <= 0) {
+      context_.report.report(Finding::NotPositive, field.value.span, field.name, *number);
+    }
+    system_.integration.*known.value = number;
+  }
+}
+
+void SystemBuilder::set_method(const ast::Expression& value) {
+  const auto* word = std::get_if<ast::Reference>(&value.node);
+  if (word == nullptr || word->parts.size() != 1 || !word->parts[0].indices.empty()) {
+    context_.report.report(Finding::MethodExpected, value.span);
+    return;
+  }
+  const std::string& method = word->parts[0].name;
+  if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
+    context_.report.report(Finding::UnknownMethod, value.span, method, suggestion(method, methods));
+  }
+  system_.integration.method = method;
+}
+
+}  // namespace mbcc::model

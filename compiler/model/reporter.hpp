@@ -1,0 +1,41 @@
+#pragma once
+// Passes findings on to the user's diagnostics, each once: what an unrolled loop finds in every pass is one mistake.
+
+#include <set>
+#include <tuple>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace mbcc::model {
+
+class Reporter {
+ public:
+  explicit Reporter(Diagnostics& diagnostics) : diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
+
+  /// As Diagnostics::report, but silent if the same finding has been reported at the same place.
+  template <class... Arguments>
+  Diagnostic& report(Finding finding, Span span, const Arguments&... arguments) {
+    if (!seen_.emplace(finding, span.file, span.begin, span.end).second) {
+      return repeated_ = Diagnostic{finding, severity_of(finding), span, {}, {}};
+    }
+    return diagnostics_.report(finding, span, arguments...);
+  }
+
+  Diagnostics& diagnostics() { return diagnostics_; }
+  bool found_errors() const { return diagnostics_.errors() > errors_before_; }
+
+  /// Statements that could not be read may have declared names that are then missing, which is no new mistake.
+  bool statements_are_lost() const { return errors_before_ > 0 || names_are_lost_; }
+  /// As if names were declared in a text that nobody can look at.
+  void lose_names() { names_are_lost_ = true; }
+  bool names_are_lost() const { return names_are_lost_; }
+
+ private:
+  Diagnostics& diagnostics_;
+  std::size_t errors_before_;
+  bool names_are_lost_ = false;
+  std::set<std::tuple<Finding, std::uint32_t, std::uint32_t, std::uint32_t>> seen_;
+  Diagnostic repeated_;  ///< takes the notes of a report that is not passed on
+};
+
+}  // namespace mbcc::model

@@ -1,0 +1,59 @@
+#include "model/symbols.hpp"
+
+#include <fmt/format.h>
+
+namespace mbcc::model {
+
+std::size_t IndicesHash::operator()(const Indices& indices) const {
+  std::uint64_t hash = indices.size();
+  for (const long value : indices) {
+    hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 32U;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+std::string_view describe(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::Constant:
+      return "a constant";
+    case SymbolKind::Parameter:
+      return "a parameter";
+    case SymbolKind::Let:
+      return "a `let`";
+    case SymbolKind::Particle:
+      return "a particle";
+    case SymbolKind::Constraint:
+      return "a constraint";
+  }
+  return {};
+}
+
+std::string describe(const Particle& particle) {
+  return particle.number > 0 ? fmt::format("particle {}", particle.number) : fmt::format("`{}`", particle.name);
+}
+
+Symbol* Symbols::find(std::string_view name) {
+  const auto found = table.find(name);
+  return found == table.end() ? nullptr : &found->second;
+}
+
+const Frame* find_index(const Frame* frame, std::string_view name) {
+  while (frame != nullptr && frame->index != name) {
+    frame = frame->outer;
+  }
+  return frame;
+}
+
+Definition* find_local(const Frame* frame, std::string_view name) {
+  for (; frame != nullptr; frame = frame->outer) {
+    for (Definition* local : frame->locals) {
+      if (local->name == name) {
+        return local;
+      }
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace mbcc::model

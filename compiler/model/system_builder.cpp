@@ -1,0 +1,25 @@
+#include "model/system_builder.hpp"
+
+namespace mbcc::model {
+
+void SystemBuilder::add_parameters() {
+  for (Definition& definition : context_.symbols.definitions) {
+    if (definition.kind == SymbolKind::Parameter) {
+      const Value value = evaluator_.evaluate(definition);
+      system_.parameters.push_back(
+          {definition.name, value.is_nothing() ? 0 : value[0].number, definition.declarator->span});
+    }
+  }
+}
+
+void SystemBuilder::add(const Instance& instance) {
+  std::visit([&](const auto& node) { add(node, instance); }, instance.statement->node);
+}
+
+void SystemBuilder::add(const ast::System& title, const Instance& instance) {
+  if (instance.statement->span.file == 0) {
+    system_.name = title.name;
+  }
+}
+
+}  // namespace mbcc::model
