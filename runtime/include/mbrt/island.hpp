@@ -36,6 +36,12 @@ struct IslandRows {
   std::span<double> residual;
   std::span<double> free;
   std::span<double> mobility;
+
+  void clear() const {
+    for (double& entry : matrix) {
+      entry = 0;
+    }
+  }
 };
 
 /// What the solves of one island leave behind during a run.
@@ -56,6 +62,11 @@ struct Island {
   IslandRows rows;            ///< storage for rows at one state
   IslandRecord* record;
 };
+
+/// The condition of step 1 for one pivot. False for a NaN, which is then met in step 2.
+constexpr bool holds(double pivot, double diagonal, double floor) {
+  return pivot >= plain_pivot_ratio * diagonal && pivot >= floor;
+}
 
 constexpr std::size_t scratch_size(std::size_t rows, std::size_t columns) { return rows * rows + 6 * (rows + columns); }
 

@@ -1,0 +1,214 @@
+#include "emit/class_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emit/code.hpp"
+
+namespace mbcc::cpp {
+
+namespace {
+
+using program::IslandIndices;
+
+/// `body` two columns further in.
+std::string indent(std::string_view body) {
+  std::string indented;
+  while (!body.empty()) {
+    const std::size_t end = body.find('\n');
+    const std::string_view line = body.substr(0, end);
+    indented += line.empty() ? "\n" : fmt::format("  {}\n", line);
+    body = end == std::string_view::npos ? std::string_view{} : body.substr(end + 1);
+  }
+  return indented;
+}
+
+std::string count(std::size_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+std::string argument(std::string_view name, bool is_read) {
+  return is_read ? std::string(name) : fmt::format("/*{}*/", name);
+}
+
+std::string function(std::string_view purpose, std::string_view signature, const std::string& body) {
+  return body.empty() ? fmt::format("\n/// {}\n{} {{}}\n", purpose, signature)
+                      : fmt::format("\n/// {}\n{} {{\n{}}}\n", purpose, signature, indent(body));
+}
+
+/// A function of the number of an island: one case per island, and what to return for any other.
+std::string island_switch(std::size_t islands, std::string_view signature, std::string_view case_format,
+                          std::string_view otherwise) {
+  std::string text = fmt::format("{} {{\n  switch (island) {{\n", signature);
+  for (std::size_t i = 1; i <= islands; ++i) {
+    text += fmt::format("    case {}:\n      return {};\n", i - 1, fmt::format(fmt::runtime(case_format), i));
+  }
+  return text + fmt::format("    default:\n      {};\n  }}\n}}\n", otherwise);
+}
+
+}  // namespace
+
+std::string comment_text(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    line += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return !line.empty() && line.back() == '\\' ? line + " " : line;
+}
+
+ClassWriter::ClassWriter(const program::Program& program, const model::System& system, const Sources& sources)
+    : program_(program), system_(system), sources_(sources), naming_(make_naming(system, program)) {}
+
+std::string ClassWriter::summary() const {
+  return fmt::format("/// `{}`: {}, {}, {} in {}.\n", comment_text(system_.name),
+                     count(system_.coordinates.size(), "coordinate"), count(system_.speeds.size(), "speed"),
+                     count(system_.constraints.size(), "constraint"), count(program_.islands.size(), "island"));
+}
+
+std::string ClassWriter::functions() const {
+  std::string text =
+      "/// Values of the parameters; call prepare() after a change.\n"
+      "std::span<double> parameters() { return parameters_; }\n";
+  text += function("What depends on parameters alone.", "void prepare()", body(program_.prepare).text);
+  text += initial_state();
+  text += set_time();
+  text += rates();
+  text += program_.islands.empty() ? "" : island_functions();
+  text += system_.constraints.empty() ? "" : constraint_errors();
+  text += program_.energy.sections.front().stores.empty() ? "" : energy();
+  text += system_.outputs.empty() ? "" : outputs();
+  text += system_.forces.empty() ? "" : applied_forces();
+  return text;
+}
+
+std::string ClassWriter::members() const {
+  std::string text;
+  for (std::size_t i = 0; i < program_.islands.size(); ++i) {
+    text += island_members(i);
+  }
+  text += fmt::format("std::array<double, {}> parameters_{{", system_.parameters.size());
+  for (std::size_t i = 0; i < system_.parameters.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + literal(system_.parameters[i].value).text;
+  }
+  text += "};\n";
+  text += naming_.keeps_time ? "double t_ = 0.0;\n" : "";
+  for (const auto* kernel : {&program_.prepare, &program_.time}) {
+    for (const program::NodeId id : kernel->provides) {
+      text += fmt::format("double {} = 0.0;\n", naming_.members.at(id));
+    }
+  }
+  for (std::size_t i = 0; i < program_.islands.size(); ++i) {
+    const IslandIndices& island = program_.islands[i];
+    text += fmt::format("mbrt::IslandStorage<{}, {}> island_{}_;\n", island.constraints.size(), island.speeds.size(),
+                        i + 1);
+  }
+  return text;
+}
+
+Body ClassWriter::body(const program::Kernel& kernel, const Comments& comments) const {
+  return write_kernel(kernel, program_, naming_, system_.coordinates.size(), comments);
+}
+
+std::string ClassWriter::island_comment(std::size_t island) const {
+  std::string text = fmt::format("island {} of {}\n", island + 1, program_.islands.size());
+  for (const std::size_t k : program_.islands[island].constraints) {
+    const model::Constraint& constraint = system_.constraints[k];
+    text += fmt::format("  {} ({}): {}\n", constraint.name, comment_text(sources_.place(constraint.span)),
+                        comment_text(constraint.text));
+  }
+  return text;
+}
+
+std::string ClassWriter::initial_state() const {
+  return function("The model's own start.", "State initial_state() const",
+                  "State y{};\n" + body(program_.initial).text + "return y;\n");
+}
+
+std::string ClassWriter::set_time() const {
+  const std::string text = (naming_.keeps_time ? "t_ = t;\n" : "") + body(program_.time).text;
+  return function("What depends on time alone.", fmt::format("void set_time(double {})", argument("t", !text.empty())),
+                  text);
+}
+
+std::string ClassWriter::rates() const {
+  const auto& sections = program_.rates.sections;
+  Comments comments;
+  comments.sections = {"", sections[1].stores.empty() ? "" : "without constraints",
+                       sections[2].order.empty() ? "" : "shared between islands"};
+  for (std::size_t i = 0; i < program_.islands.size(); ++i) {
+    comments.islands.push_back(island_comment(i));
+  }
+  const Body rates = body(program_.rates, comments);
+  return function("Time derivative of the state.",
+                  fmt::format("void rates(const State& {}, State& {}){}", argument("y", rates.reads_state),
+                              argument("rate", !rates.text.empty()), program_.islands.empty() ? " const" : ""),
+                  rates.text);
+}
+
+std::string ClassWriter::island_functions() const {
+  const std::size_t islands = program_.islands.size();
+  return "\n/// Scales and counters of one island, and storage for its rows.\n" +
+         island_switch(islands, "mbrt::Island island(int island)", "island_{}_.view()", "return {}") +
+         "\n/// Fills island(k).rows with the rows at a state.\n" +
+         island_switch(islands, "void island_rows(int island, const State& y)", "rows_{}(y)", "return");
+}
+
+std::string ClassWriter::constraint_errors() const {
+  const Body errors = body(program_.constraint_errors);
+  const bool any_holonomic = std::any_of(system_.constraints.begin(), system_.constraints.end(),
+                                         [](const model::Constraint& constraint) { return constraint.holonomic; });
+  return function("Errors of the constraints: value (where holonomic), its rate (else the value), and A u' - b.",
+                  fmt::format("void constraint_errors(const State& {}, const State& {}, std::span<double> {},\n"
+                              "                       std::span<double> velocity, std::span<double> acceleration) const",
+                              argument("y", errors.reads_state), argument("rate", errors.reads_rate),
+                              argument("position", any_holonomic)),
+                  errors.text);
+}
+
+std::string ClassWriter::energy() const {
+  const Body energy = body(program_.energy);
+  return function("Kinetic energy, and the potential of the constant forces.",
+                  fmt::format("double energy(const State& {}) const", argument("y", energy.reads_state)), energy.text);
+}
+
+std::string ClassWriter::outputs() const {
+  const Body outputs = body(program_.outputs);
+  return function("The outputs of the model, at a state and its rate.",
+                  fmt::format("void outputs(const State& {}, const State& {}, std::span<double> values) const",
+                              argument("y", outputs.reads_state), argument("rate", outputs.reads_rate)),
+                  outputs.text);
+}
+
+std::string ClassWriter::applied_forces() const {
+  const Body forces = body(program_.applied_forces);
+  return function("Each applied force, to find the one that is not a number.",
+                  fmt::format("void applied_forces(const State& {}, std::span<double> values) const",
+                              argument("y", forces.reads_state)),
+                  forces.text);
+}
+
+/// The rows of an island, and its accelerations where the plain solve is not safe.
+std::string ClassWriter::island_members(std::size_t island) const {
+  const std::size_t number = island + 1;
+  const Body rows = body(program_.island_rows[island]);
+  std::string text = fmt::format("[[gnu::noinline, gnu::cold]] void rows_{}(const State& {}) {{\n", number,
+                                 argument("y", rows.reads_state));
+  text += fmt::format("  const mbrt::IslandRows rows = island_{}_.view().rows;\n  rows.clear();\n", number);
+  text += indent(rows.text) + "}\n\n";
+
+  const std::vector<std::size_t>& speeds = program_.islands[island].speeds;
+  text += fmt::format(
+      "[[gnu::noinline, gnu::cold]] void climb_{0}(const State& y, State& rate) {{\n"
+      "  rows_{0}(y);\n"
+      "  const mbrt::Island island = island_{0}_.view();\n"
+      "  std::array<double, {1}> added{{}};\n"
+      "  mbrt::climb(island, added);\n",
+      number, speeds.size());
+  for (std::size_t j = 0; j < speeds.size(); ++j) {
+    text += fmt::format("  rate[{0}] = island.rows.free[{1}] + added[{1}];\n", system_.coordinates.size() + speeds[j], j);
+  }
+  return text + "}\n\n";
+}
+
+}  // namespace mbcc::cpp

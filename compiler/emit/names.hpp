@@ -1,0 +1,27 @@
+#pragma once
+// Names of the model as C++ identifiers.
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace mbcc::cpp {
+
+/// `p[3].x` as `p_3_x`; never a keyword, a reserved or an empty identifier.
+std::string mangle(std::string_view name);
+
+/// Hands out identifiers that are distinct within one scope.
+class Scope {
+ public:
+  /// `name` mangled, with a number behind it if it was given out before.
+  std::string declare(std::string_view name);
+  /// `prefix` with the next free number behind it.
+  std::string enumerate(const std::string& prefix);
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> counters_;  ///< by prefix
+};
+
+}  // namespace mbcc::cpp

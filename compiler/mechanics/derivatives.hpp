@@ -1,0 +1,46 @@
+#pragma once
+// The differentiated equations: A u' = b, the free acceleration, and what they are made of: sparsity, islands, the
+// order in which each island is eliminated.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanics/equations.hpp"
+
+namespace mbcc::mechanics {
+
+/// A structurally nonzero entry of A: the derivative of the row's constraint along one speed.
+struct Entry {
+  std::size_t speed;
+  Expr value;
+};
+
+/// One constraint, differentiated until the accelerations appear linearly: A_k u' = b_k (paper.md, Udwadia and Kalaba 1992).
+struct Row {
+  std::size_t constraint;
+  std::vector<Entry> entries;  ///< by increasing speed
+  Expr b;                      ///< holonomic: -d2h/dt2 at u' = 0; nonholonomic: -dg/dt at u' = 0
+  Expr value;                  ///< h or g
+  Expr rate;                   ///< dh/dt along the motion; g where nonholonomic
+  Expr residual;               ///< b - A a
+};
+
+/// Rows and speeds that have to be solved together: a connected component of the graph that A makes of the speeds.
+struct Island {
+  std::vector<std::size_t> rows;    ///< in elimination order
+  std::vector<std::size_t> speeds;  ///< increasing
+};
+
+struct Derivatives {
+  std::vector<Expr> free;      ///< nv, a = M^-1 f
+  std::vector<Expr> mobility;  ///< nv, 1/m
+  std::vector<Row> rows;       ///< one per constraint, in order
+  std::vector<Island> islands;
+  std::optional<Expr> energy;  ///< kinetic and potential, where every applied force is constant
+};
+
+/// Differentiates by duals over the graph: one direction per entry of A, the motion itself, twice, for b.
+Derivatives differentiate(const model::System& system, const Equations& equations, graph::Graph& graph);
+
+}  // namespace mbcc::mechanics

@@ -1,0 +1,27 @@
+#pragma once
+// Symbolic LDL^T of S = A M^-1 A^T of one island, in the island's elimination order: the plain step of the rank ladder
+// (runtime/include/mbrt/island.hpp, Note [rank ladder]) as expressions.
+
+#include <vector>
+
+#include "mechanics/derivatives.hpp"
+
+namespace mbcc::mechanics {
+
+/// The pivot of one row beside the diagonal entry that it started from: the ratio of the two tells how safe it is.
+struct Pivot {
+  std::size_t row;
+  Expr diagonal;  ///< S_kk
+  Expr pivot;     ///< d_k
+};
+
+struct Elimination {
+  std::vector<Pivot> pivots;             ///< in elimination order
+  std::vector<Expr> forward;             ///< y of L y = r, in elimination order
+  std::vector<Expr> multipliers;         ///< z of S z = r, in elimination order
+  std::vector<Expr> added;               ///< c = M^-1 A^T z per speed of the island
+};
+
+Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph);
+
+}  // namespace mbcc::mechanics

@@ -1,0 +1,202 @@
+#include "mechanics/examine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/dependence.hpp"
+#include "mechanics/point.hpp"
+
+namespace mbcc {
+
+namespace mechanics {
+
+namespace {
+
+/// One constraint in numbers at the start.
+struct RowValues {
+  double value;         ///< h or g
+  double rate;          ///< h' or g
+  double residual;      ///< b - A a
+  double size;          ///< |A_k|
+  double acceleration;  ///< |b| + sum |A_kj a_j|: what a residual has to be compared with
+  bool finite;
+};
+
+class Examiner {
+ public:
+  Examiner(const model::System& system, const Equations& equations, const Derivatives& derivatives,
+           Diagnostics& diagnostics)
+      : system_(system),
+        equations_(equations),
+        derivatives_(derivatives),
+        diagnostics_(diagnostics),
+        start_(initial_point(system, equations)) {}
+
+  Examination examine() {
+    Examination found;
+    if (!check_start_is_finite()) {
+      return found;
+    }
+    for (const Row& row : derivatives_.rows) {
+      rows_.push_back(evaluate(row));
+      check_row(row, rows_.back());
+    }
+    if (diagnostics_.has_errors()) {
+      return found;
+    }
+    std::vector<bool> contradicting(rows_.size());
+    for (const Island& island : derivatives_.islands) {
+      const std::vector<Dependence> dependences = find_dependences(island, derivatives_, start_);
+      found.ranks.push_back(island.rows.size() - dependences.size());
+      for (const Dependence& dependence : dependences) {
+        found.redundant.push_back(dependence.row);
+        contradicting[dependence.row] = check_contradiction(dependence);
+        if (!contradicting[dependence.row]) {
+          const model::Constraint& constraint = system_.constraints[dependence.row];
+          diagnostics_.report(Finding::RedundantConstraint, constraint.span, constraint.name, found.ranks.back(),
+                              island.rows.size());
+        }
+      }
+    }
+    for (const Row& row : derivatives_.rows) {
+      if (!contradicting[row.constraint]) {
+        check_start_holds(row);
+      }
+    }
+    return found;
+  }
+
+ private:
+  bool check_start_is_finite() {
+    bool finite = true;
+    const auto check = [&](double value, const std::string& what, Span span) {
+      if (!std::isfinite(value)) {
+        diagnostics_.report(Finding::NotFiniteAtStart, span, what);
+        finite = false;
+      }
+    };
+    for (std::size_t i = 0; i < system_.coordinates.size(); ++i) {
+      check(start_.coordinates[i], "`" + system_.coordinates[i].name + "`", system_.coordinates[i].span);
+    }
+    for (std::size_t j = 0; j < system_.speeds.size(); ++j) {
+      check(start_.speeds[j], "`" + system_.speeds[j].name + "`", system_.speeds[j].span);
+    }
+    const std::vector<double> masses = values_at(start_, equations_.inertia);
+    for (std::size_t j = 0; j < masses.size(); ++j) {
+      check(masses[j], "the mass behind `" + system_.speeds[j].name + "`", system_.speeds[j].span);
+    }
+    const std::vector<double> forces = values_at(start_, equations_.forces);
+    for (std::size_t i = 0; i < forces.size() && finite; ++i) {
+      check(forces[i], system_.forces[i].name, system_.forces[i].span);
+    }
+    return finite;
+  }
+
+  RowValues evaluate(const Row& row) const {
+    std::vector<Expr> expressions{row.value, row.rate, row.residual, row.b};
+    for (const Entry& entry : row.entries) {
+      expressions.push_back(entry.value);
+      expressions.push_back(derivatives_.free[entry.speed]);
+    }
+    const std::vector<double> values = values_at(start_, expressions);
+    RowValues result{values[0], values[1], values[2], 0, std::abs(values[3]), true};
+    for (std::size_t i = 4; i < values.size(); i += 2) {
+      result.size = std::hypot(result.size, values[i]);
+      result.acceleration += std::abs(values[i] * values[i + 1]);
+    }
+    result.finite = std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    return result;
+  }
+
+  void check_row(const Row& row, const RowValues& values) {
+    const model::Constraint& constraint = system_.constraints[row.constraint];
+    if (!values.finite) {
+      diagnostics_.report(Finding::NotFiniteAtStart, constraint.span, "constraint `" + constraint.name + "`");
+    } else if (row.entries.empty() && is_zero(row.value)) {
+      diagnostics_.report(Finding::IdenticallyTrue, constraint.span, constraint.name);
+    } else if (row.entries.empty()) {
+      diagnostics_.report(Finding::ConstrainsNothing, constraint.span, constraint.name);
+    }
+  }
+
+  /// A row that depends on others must ask for what they ask for, at every level.
+  bool check_contradiction(const Dependence& dependence) {
+    const bool holonomic = system_.constraints[dependence.row].holonomic &&
+                           std::all_of(dependence.on.begin(), dependence.on.end(),
+                                       [&](const auto& on) { return system_.constraints[on.first].holonomic; });
+    const double size = std::max(rows_[dependence.row].size, 1e-300);
+    if (holonomic && disagrees(dependence, &RowValues::value, start_tolerance * length() * size, "position")) {
+      return true;
+    }
+    if (disagrees(dependence, &RowValues::rate, start_tolerance * speed() * size, "velocity")) {
+      return true;
+    }
+    // A start that is off by the tolerance leaves as much in the accelerations: a hundred times that is no rounding.
+    double scale = rows_[dependence.row].acceleration;
+    for (const auto& [row, coefficient] : dependence.on) {
+      scale += std::abs(coefficient) * rows_[row].acceleration;
+    }
+    return disagrees(dependence, &RowValues::residual, 100 * start_tolerance * scale, "acceleration");
+  }
+
+  bool disagrees(const Dependence& dependence, double RowValues::*level, double tolerance, const char* name) {
+    double difference = rows_[dependence.row].*level;
+    for (const auto& [row, coefficient] : dependence.on) {
+      difference -= coefficient * (rows_[row].*level);
+    }
+    if (std::abs(difference) <= tolerance) {
+      return false;
+    }
+    const model::Constraint& constraint = system_.constraints[dependence.row];
+    Diagnostic& report = diagnostics_.report(Finding::ContradictoryConstraints, constraint.span, constraint.name, name,
+                                             std::abs(difference));
+    for (const auto& [row, coefficient] : dependence.on) {
+      report.note(system_.constraints[row].span, "constraint `" + system_.constraints[row].name + "` is here");
+    }
+    return true;
+  }
+
+  void check_start_holds(const Row& row) {
+    const model::Constraint& constraint = system_.constraints[row.constraint];
+    const RowValues& values = rows_[row.constraint];
+    const double size = values.size > 0 ? values.size : 1;
+    const double position = std::abs(values.value) / size;
+    if (constraint.holonomic && position > start_tolerance * length()) {
+      diagnostics_.report(Finding::StartOffPosition, constraint.span, constraint.name, values.value, position);
+      return;
+    }
+    const double velocity = std::abs(values.rate) / size;
+    if (velocity > start_tolerance * speed()) {
+      diagnostics_.report(Finding::StartOffVelocity, constraint.span, constraint.name,
+                          constraint.holonomic ? "its rate" : "its value", values.rate, velocity);
+    }
+  }
+
+  static double at_least_one(const std::vector<double>& values) {
+    double size = 1;
+    for (const double value : values) {
+      size = std::max(size, std::abs(value));
+    }
+    return size;
+  }
+  double length() const { return at_least_one(start_.coordinates); }
+  double speed() const { return at_least_one(start_.speeds); }
+
+  const model::System& system_;
+  const Equations& equations_;
+  const Derivatives& derivatives_;
+  Diagnostics& diagnostics_;
+  Point start_;
+  std::vector<RowValues> rows_;
+};
+
+}  // namespace
+
+}  // namespace mechanics
+
+mechanics::Examination examine(const model::System& system, const mechanics::Equations& equations,
+                               const mechanics::Derivatives& derivatives, Diagnostics& diagnostics) {
+  return mechanics::Examiner(system, equations, derivatives, diagnostics).examine();
+}
+
+}  // namespace mbcc

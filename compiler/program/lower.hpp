@@ -1,0 +1,35 @@
+#pragma once
+// Note [lowering]: the last rewriting before code. The lowered graph is a graph of its own, whose nodes are exactly
+// the operations that will be done:
+//   * x^n with an integer |n| <= 32 becomes multiplications by repeated squaring (and one division where n < 0);
+//   * divisions that share a denominator, or whose denominator is known earlier (at a lower level) than the numerator,
+//     become multiplications by its reciprocal, which is computed once and at its own level.
+
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "graph/graph.hpp"
+
+namespace mbcc::program {
+
+/// The lowered counterparts of `roots` and of all that they need.
+class Lowering {
+ public:
+  Lowering(std::span<const graph::Expr> roots, graph::Graph& lowered);
+
+  /// `expression` must be one of the roots or needed by them.
+  graph::NodeId operator()(graph::Expr expression) const { return images_.at(expression.id()).id(); }
+
+ private:
+  graph::Expr lower(const graph::Graph& graph, const graph::Node& node);
+  graph::Expr make(graph::Operator op, graph::Expr a, graph::Expr b);
+  graph::Expr reciprocal(graph::Expr x);
+  graph::Expr integer_power(graph::Expr base, int exponent);
+
+  graph::Graph& lowered_;
+  std::unordered_set<graph::NodeId> shared_denominators_;
+  std::unordered_map<graph::NodeId, graph::Expr> images_;
+};
+
+}  // namespace mbcc::program

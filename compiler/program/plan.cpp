@@ -1,0 +1,148 @@
+#include "program/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mbcc::program {
+
+namespace {
+
+using graph::Expr;
+using graph::Kind;
+using mechanics::Derivatives;
+using mechanics::Entry;
+using mechanics::Equations;
+using mechanics::Island;
+using mechanics::Row;
+
+std::vector<Wanted> all_of(Target target, const std::vector<Expr>& values, std::size_t first_index = 0) {
+  std::vector<Wanted> wanted;
+  for (const Expr value : values) {
+    wanted.push_back({target, first_index++, value});
+  }
+  return wanted;
+}
+
+std::vector<Wanted> rows_of(const Island& island, const Derivatives& derivatives) {
+  std::vector<Wanted> wanted;
+  const std::size_t columns = island.speeds.size();
+  const auto column_of = [&](std::size_t speed) {
+    return static_cast<std::size_t>(std::lower_bound(island.speeds.begin(), island.speeds.end(), speed) -
+                                    island.speeds.begin());
+  };
+  for (std::size_t k = 0; k < island.rows.size(); ++k) {
+    const Row& row = derivatives.rows[island.rows[k]];
+    for (const Entry& entry : row.entries) {
+      wanted.push_back({Target::Matrix, k * columns + column_of(entry.speed), entry.value});
+    }
+    wanted.push_back({Target::Residual, k, row.residual});
+  }
+  for (std::size_t j = 0; j < columns; ++j) {
+    wanted.push_back({Target::Free, j, derivatives.free[island.speeds[j]]});
+    wanted.push_back({Target::Mobility, j, derivatives.mobility[island.speeds[j]]});
+  }
+  return wanted;
+}
+
+IslandPlan plan_island(const Island& island, const Derivatives& derivatives, std::size_t coordinates,
+                       graph::Graph& graph) {
+  IslandPlan plan{eliminate(island, derivatives, graph), {}, rows_of(island, derivatives)};
+  for (std::size_t j = 0; j < island.speeds.size(); ++j) {
+    const std::size_t speed = island.speeds[j];
+    plan.accelerations.push_back(
+        {Target::Rate, coordinates + speed, derivatives.free[speed] + plan.elimination.added[j]});
+  }
+  return plan;
+}
+
+std::vector<Wanted> errors_of(const model::System& system, const Derivatives& derivatives, graph::Graph& graph) {
+  std::vector<Wanted> wanted;
+  for (const Row& row : derivatives.rows) {
+    const std::size_t k = row.constraint;
+    if (system.constraints[k].holonomic) {
+      wanted.push_back({Target::Position, k, row.value});
+    }
+    wanted.push_back({Target::Velocity, k, row.rate});
+    Expr acceleration = -row.b;
+    for (const Entry& entry : row.entries) {
+      const auto speed = static_cast<std::uint32_t>(entry.speed);
+      acceleration = acceleration + entry.value * graph.leaf(Kind::Acceleration, speed);
+    }
+    wanted.push_back({Target::Acceleration, k, acceleration});
+  }
+  return wanted;
+}
+
+void name_solve(Plan& plan, const IslandPlan& island_plan, const Island& island, const model::System& system,
+                const Derivatives& derivatives) {
+  for (std::size_t k = 0; k < island.rows.size(); ++k) {
+    const Row& row = derivatives.rows[island.rows[k]];
+    const std::string& constraint = system.constraints[row.constraint].name;
+    for (const Entry& entry : row.entries) {
+      plan.names.emplace_back(entry.value, fmt::format("A_{}_{}", constraint, system.speeds[entry.speed].name));
+    }
+    plan.names.emplace_back(row.residual, "r_" + constraint);
+    plan.names.emplace_back(island_plan.elimination.pivots[k].diagonal, "S_" + constraint);
+    plan.names.emplace_back(island_plan.elimination.pivots[k].pivot, "d_" + constraint);
+    plan.names.emplace_back(island_plan.elimination.forward[k], "y_" + constraint);
+    plan.names.emplace_back(island_plan.elimination.multipliers[k], "z_" + constraint);
+  }
+}
+
+}  // namespace
+
+std::vector<Expr> Plan::roots() const {
+  std::vector<Expr> roots;
+  const auto add = [&roots](const std::vector<Wanted>& wanted) {
+    for (const Wanted& item : wanted) {
+      roots.push_back(item.value);
+    }
+  };
+  for (const auto* wanted : {&initial, &kinematics, &free_accelerations, &constraint_errors, &energy, &outputs,
+                             &applied_forces}) {
+    add(*wanted);
+  }
+  for (const IslandPlan& island : islands) {
+    add(island.accelerations);
+    add(island.rows);
+    for (const mechanics::Pivot& pivot : island.elimination.pivots) {
+      roots.push_back(pivot.diagonal);
+      roots.push_back(pivot.pivot);
+    }
+  }
+  return roots;
+}
+
+Plan make_plan(const model::System& system, const Equations& equations, const Derivatives& derivatives,
+               graph::Graph& graph) {
+  const std::size_t coordinates = system.coordinates.size();
+  Plan plan;
+  plan.initial = all_of(Target::Initial, equations.initial_coordinates);
+  for (const Wanted& speed : all_of(Target::Initial, equations.initial_speeds, coordinates)) {
+    plan.initial.push_back(speed);
+  }
+  plan.kinematics = all_of(Target::Rate, equations.kinematics);
+  std::vector<bool> in_island(system.speeds.size());
+  for (const Island& island : derivatives.islands) {
+    plan.islands.push_back(plan_island(island, derivatives, coordinates, graph));
+    name_solve(plan, plan.islands.back(), island, system, derivatives);
+    for (const std::size_t speed : island.speeds) {
+      in_island[speed] = true;
+    }
+  }
+  for (std::size_t j = 0; j < system.speeds.size(); ++j) {
+    if (!in_island[j]) {
+      plan.free_accelerations.push_back({Target::Rate, coordinates + j, derivatives.free[j]});
+    }
+  }
+  plan.constraint_errors = errors_of(system, derivatives, graph);
+  if (derivatives.energy) {
+    plan.energy.push_back({Target::Energy, 0, *derivatives.energy});
+  }
+  plan.outputs = all_of(Target::Output, equations.outputs);
+  plan.applied_forces = all_of(Target::Force, equations.forces);
+  return plan;
+}
+
+}  // namespace mbcc::program

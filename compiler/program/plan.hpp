@@ -1,0 +1,45 @@
+#pragma once
+// What the emitted class has to compute, as expressions: the step between the mathematics and the kernels.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanics/derivatives.hpp"
+#include "mechanics/eliminate.hpp"
+#include "model/system.hpp"
+#include "program/program.hpp"
+
+namespace mbcc::program {
+
+/// A value to be stored by a kernel.
+struct Wanted {
+  Target target;
+  std::size_t index;
+  graph::Expr value;
+};
+
+struct IslandPlan {
+  mechanics::Elimination elimination;
+  std::vector<Wanted> accelerations;  ///< Rate of the island's speeds when the plain solve holds
+  std::vector<Wanted> rows;           ///< Matrix, Residual, Free, Mobility
+};
+
+struct Plan {
+  std::vector<Wanted> initial;
+  std::vector<Wanted> kinematics;          ///< Rate of coordinates
+  std::vector<Wanted> free_accelerations;  ///< Rate of speeds in no island
+  std::vector<IslandPlan> islands;
+  std::vector<Wanted> constraint_errors;
+  std::vector<Wanted> energy;
+  std::vector<Wanted> outputs;
+  std::vector<Wanted> applied_forces;
+  std::vector<std::pair<graph::Expr, std::string>> names;  ///< first come, first named
+
+  std::vector<graph::Expr> roots() const;
+};
+
+Plan make_plan(const model::System& system, const mechanics::Equations& equations,
+               const mechanics::Derivatives& derivatives, graph::Graph& graph);
+
+}  // namespace mbcc::program

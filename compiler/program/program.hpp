@@ -1,0 +1,93 @@
+#pragma once
+// The Program: what the emitted class computes, as kernels over one lowered graph. Every value is computed at its own
+// level and in no kernel that does not need it.
+
+#include <array>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace mbcc::program {
+
+using graph::Level;
+using graph::NodeId;
+
+/// The runtime's constant of the same name (mbrt/island.hpp): pivots that are known when compiling are judged by it.
+inline constexpr double plain_pivot_ratio = 1e-4;
+
+/// Where a kernel puts a value.
+enum class Target {
+#define MBCC_TARGET(name, meaning) name,
+#include "program/targets.def"
+};
+
+constexpr const char* name_of(Target target) {
+  constexpr std::array names = {
+#define MBCC_TARGET(name, meaning) #name,
+#include "program/targets.def"
+  };
+  return names[static_cast<std::size_t>(target)];
+}
+
+struct Store {
+  Target target;
+  std::size_t index;
+  NodeId value;
+};
+
+/// Computations in order, then stores.
+struct Section {
+  std::vector<NodeId> order;  ///< every node to compute, operands first; no leaves, nothing of a lower level
+  std::vector<Store> stores;
+};
+
+/// The condition on which the plain solve of an island stands: pivot >= max(plain_pivot_ratio * diagonal, floor).
+struct Guard {
+  std::size_t row;  ///< within the island
+  NodeId diagonal;
+  NodeId pivot;
+};
+
+/// Accelerations of one island: `solve` if every guard holds, the rest of the rank ladder otherwise.
+struct IslandSolve {
+  std::size_t island;
+  Section prepare;            ///< up to the pivots
+  std::vector<Guard> guards;  ///< empty where the pivots are constant and safe
+  bool always_climbs = false; ///< the pivots are constant and not safe
+  Section solve;
+};
+
+struct Kernel {
+  Level level = Level::State;
+  std::vector<Section> sections;
+  std::vector<IslandSolve> islands;  ///< after the sections; only in `rates`
+  std::vector<NodeId> provides;      ///< values that kernels of higher levels read; only in `prepare` and `time`
+};
+
+/// Rows (constraints) in elimination order and speeds of an island, as indices into the System's.
+struct IslandIndices {
+  std::vector<std::size_t> constraints;
+  std::vector<std::size_t> speeds;
+};
+
+struct Program {
+  std::unique_ptr<graph::Graph> graph = std::make_unique<graph::Graph>();  ///< lowered: Note [lowering] in lower.hpp
+  std::unordered_map<NodeId, std::string> names; ///< what a value is, where the model knows: "d_sphere"
+  std::vector<IslandIndices> islands;
+  bool keeps_time = false;                       ///< whether a kernel of level State reads t itself
+
+  Kernel initial;                   ///< of parameters
+  Kernel prepare;                   ///< what depends on parameters alone and is needed later: no stores
+  Kernel time;                      ///< likewise on time
+  Kernel rates;
+  std::vector<Kernel> island_rows;  ///< one per island
+  Kernel constraint_errors;
+  Kernel energy;                    ///< without stores where the energy is not known
+  Kernel outputs;
+  Kernel applied_forces;
+};
+
+}  // namespace mbcc::program

@@ -1,0 +1,174 @@
+#include "program/schedule.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "program/lower.hpp"
+#include "program/plan.hpp"
+
+namespace mbcc {
+
+namespace program {
+
+namespace {
+
+using graph::Kind;
+
+/// Puts what is wanted into kernels, and collects on the way what earlier kernels have to provide.
+class Scheduler {
+ public:
+  Scheduler(const Plan& plan, Program& program) : lowering_(plan.roots(), *program.graph), program_(program) {
+    for (const auto& [value, name] : plan.names) {
+      program.names.try_emplace(lowering_(value), name);
+    }
+  }
+
+  Kernel kernel(Level level, const std::vector<Wanted>& wanted) {
+    Kernel kernel;
+    kernel.level = level;
+    std::set<NodeId> computed;
+    kernel.sections.push_back(section(level, wanted, computed));
+    return kernel;
+  }
+
+  Kernel rates(const Plan& plan) {
+    Kernel kernel;
+    std::set<NodeId> computed;
+    kernel.sections.push_back(section(Level::State, plan.kinematics, computed));
+    kernel.sections.push_back(section(Level::State, plan.free_accelerations, computed));
+    kernel.sections.push_back(shared_between_islands(plan, computed));
+    for (std::size_t i = 0; i < plan.islands.size(); ++i) {
+      kernel.islands.push_back(solve(i, plan.islands[i], computed));
+    }
+    return kernel;
+  }
+
+  /// The kernel of a level below State: what kernels after it asked for.
+  Kernel provider(Level level) {
+    Kernel kernel;
+    kernel.level = level;
+    Section section;
+    std::set<NodeId> computed;
+    for (const NodeId id : needed_[static_cast<std::size_t>(level)]) {
+      visit(id, level, computed, section.order);
+      kernel.provides.push_back(id);
+    }
+    kernel.sections.push_back(std::move(section));
+    return kernel;
+  }
+
+ private:
+  Section section(Level level, const std::vector<Wanted>& wanted, std::set<NodeId>& computed) {
+    Section section;
+    for (const Wanted& item : wanted) {
+      const NodeId value = lowering_(item.value);
+      visit(value, level, computed, section.order);
+      section.stores.push_back({item.target, item.index, value});
+    }
+    return section;
+  }
+
+  /// Appends `id` and what it needs to `order`, operands first, except what is computed or known already.
+  void visit(NodeId id, Level level, std::set<NodeId>& computed, std::vector<NodeId>& order) {
+    const graph::Node& node = (*program_.graph)[id];
+    program_.keeps_time |= node.kind == Kind::Time && level == Level::State;
+    if (node.kind != Kind::Apply || computed.contains(id)) {
+      return;
+    }
+    if (node.level < level && level > Level::Parameter) {
+      needed_[static_cast<std::size_t>(std::max(node.level, Level::Parameter))].insert(id);
+      return;
+    }
+    computed.insert(id);
+    for (const NodeId operand : node.used_operands()) {
+      visit(operand, level, computed, order);
+    }
+    order.push_back(id);
+  }
+
+  /// What more than one island needs, computed before any of them.
+  Section shared_between_islands(const Plan& plan, std::set<NodeId>& computed) {
+    std::map<NodeId, int> users;
+    std::vector<NodeId> all;
+    for (const IslandPlan& island : plan.islands) {
+      std::set<NodeId> own = computed;
+      std::vector<NodeId> order;
+      for (const mechanics::Pivot& pivot : island.elimination.pivots) {
+        visit(lowering_(pivot.pivot), Level::State, own, order);
+        visit(lowering_(pivot.diagonal), Level::State, own, order);
+      }
+      for (const Wanted& item : island.accelerations) {
+        visit(lowering_(item.value), Level::State, own, order);
+      }
+      for (const NodeId id : order) {
+        if (++users[id] == 2) {
+          all.push_back(id);
+        }
+      }
+    }
+    Section section;
+    for (const NodeId id : all) {
+      visit(id, Level::State, computed, section.order);
+    }
+    return section;
+  }
+
+  IslandSolve solve(std::size_t index, const IslandPlan& plan, std::set<NodeId>& computed) {
+    IslandSolve solve;
+    solve.island = index;
+    for (std::size_t k = 0; k < plan.elimination.pivots.size(); ++k) {
+      const Guard guard{k, lowering_(plan.elimination.pivots[k].diagonal), lowering_(plan.elimination.pivots[k].pivot)};
+      const graph::Node& diagonal = (*program_.graph)[guard.diagonal];
+      const graph::Node& pivot = (*program_.graph)[guard.pivot];
+      if (diagonal.kind == Kind::Constant && pivot.kind == Kind::Constant) {
+        solve.always_climbs |= !(pivot.value >= plain_pivot_ratio * diagonal.value && pivot.value > 0);
+        continue;
+      }
+      solve.guards.push_back(guard);
+      visit(guard.diagonal, Level::State, computed, solve.prepare.order);
+      visit(guard.pivot, Level::State, computed, solve.prepare.order);
+    }
+    if (solve.always_climbs) {
+      solve.guards.clear();
+      solve.prepare = {};
+      return solve;
+    }
+    std::set<NodeId> inside = computed;
+    solve.solve = section(Level::State, plan.accelerations, inside);
+    return solve;
+  }
+
+  Lowering lowering_;
+  Program& program_;
+  std::array<std::set<NodeId>, 4> needed_;  ///< by level, of values that later kernels read
+};
+
+}  // namespace
+
+}  // namespace program
+
+program::Program schedule(const model::System& system, const mechanics::Equations& equations,
+                          const mechanics::Derivatives& derivatives, graph::Graph& graph) {
+  using namespace program;
+  const Plan plan = make_plan(system, equations, derivatives, graph);
+  Program program;
+  for (const mechanics::Island& island : derivatives.islands) {
+    program.islands.push_back({island.rows, island.speeds});
+  }
+  Scheduler scheduler(plan, program);
+  program.initial = scheduler.kernel(Level::Parameter, plan.initial);
+  program.rates = scheduler.rates(plan);
+  for (const IslandPlan& island : plan.islands) {
+    program.island_rows.push_back(scheduler.kernel(Level::State, island.rows));
+  }
+  program.constraint_errors = scheduler.kernel(Level::State, plan.constraint_errors);
+  program.energy = scheduler.kernel(Level::State, plan.energy);
+  program.outputs = scheduler.kernel(Level::State, plan.outputs);
+  program.applied_forces = scheduler.kernel(Level::State, plan.applied_forces);
+  program.time = scheduler.provider(Level::Time);
+  program.prepare = scheduler.provider(Level::Parameter);
+  return program;
+}
+
+}  // namespace mbcc

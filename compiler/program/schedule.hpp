@@ -1,0 +1,16 @@
+#pragma once
+// Equations and their derivatives to a Program: elimination, lowering, levels, order.
+
+#include "mechanics/derivatives.hpp"
+#include "model/system.hpp"
+#include "program/program.hpp"
+
+namespace mbcc {
+
+/// Adds the symbolic elimination to `graph`; the Program owns a graph of its own.
+program::Program schedule(const model::System& system, const mechanics::Equations& equations,
+                          const mechanics::Derivatives& derivatives, graph::Graph& graph);
+
+std::string print(const program::Program& program, const model::System& system);  ///< for `dump --stage=program`
+
+}  // namespace mbcc
