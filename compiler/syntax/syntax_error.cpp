@@ -117,7 +117,7 @@ void SyntaxErrors::expected_something(TokenIterator where, std::string_view what
   Diagnostic& diagnostic = diagnostics_.report(Finding::Expected, where->span, what, found(*where));
   if (names_a_closing_bracket(what)) {
     const Token& opening = *innermost_opening(where);
-    diagnostic.note(opening.span, fmt::format("`{}` is open since here", opening.text));
+    diagnostic.note(opening.span, fmt::format("`{}` opens here", opening.text));
   }
 }
 

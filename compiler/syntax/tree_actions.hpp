@@ -55,11 +55,15 @@ inline const auto append_statements = [](auto& context) {
   }
 };
 
+/// Keeps trees within the height that every pass can walk.
+inline void check_height(std::size_t height, TokenIterator where) {
+  if (height > ast::max_height) {
+    throw x3::expectation_failure<TokenIterator>(where, std::string(expected::fewer_operators));
+  }
+}
 template <class Context>
 void check_height(const Context& context) {
-  if (x3::_val(context).height > ast::max_height) {
-    throw x3::expectation_failure<TokenIterator>(x3::_where(context).begin(), std::string(expected::fewer_operators));
-  }
+  check_height(x3::_val(context).height, x3::_where(context).begin());
 }
 
 inline const auto take_node = [](auto& context) { x3::_val(context).node = std::move(x3::_attr(context)); };
@@ -78,8 +82,8 @@ inline const auto combine = [](auto& context) {
 inline const auto apply_signs = [](auto& context) {
   using boost::fusion::at_c;
   auto& parts = x3::_attr(context);
+  check_height(at_c<0>(parts).size() + at_c<1>(parts).height, x3::_where(context).begin());
   x3::_val(context) = tree::with_signs(at_c<0>(parts), std::move(at_c<1>(parts)));
-  check_height(context);
 };
 
 inline const auto apply_prime = [](auto& context) {
@@ -121,6 +125,7 @@ void place(Tree& tree, TokenIterator first, TokenIterator last) {
 }
 inline void place(ast::Expression& tree, TokenIterator first, TokenIterator last) {
   tree = tree::expression(join(first->span, std::prev(last)->span), std::move(tree.node));
+  check_height(tree.height, last);
 }
 inline void place(ast::Statement& tree, TokenIterator first, TokenIterator last) {
   tree.span = join(first->span, std::prev(last)->span);
