@@ -1,5 +1,7 @@
 #include "diagnostics/spelling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace mbcc {
@@ -51,7 +53,7 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
 
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates) {
   const std::string_view guess = closest(word, candidates);
-  return guess.empty() ? std::string() : "; did you mean `" + std::string(guess) + "`?";
+  return guess.empty() ? std::string() : fmt::format("; did you mean `{}`?", guess);
 }
 
 }  // namespace mbcc

@@ -18,7 +18,7 @@ std::string list_of(const std::vector<ast::Expression>& expressions, std::string
 }
 
 std::string indices_of(const std::vector<ast::Expression>& indices) {
-  return indices.empty() ? std::string() : "[" + list_of(indices, ", ") + "]";
+  return indices.empty() ? std::string() : fmt::format("[{}]", list_of(indices, ", "));
 }
 
 std::string_view sign_of(ast::BinaryOperator op) {
@@ -60,7 +60,7 @@ struct ExpressionText {
   std::string operator()(const ast::Reference& node) const {
     std::string path;
     for (const ast::Part& part : node.parts) {
-      path += (path.empty() ? "" : ".") + part.name + indices_of(part.indices);
+      path += fmt::format("{}{}{}", path.empty() ? "" : ".", part.name, indices_of(part.indices));
     }
     return path;
   }
