@@ -59,6 +59,11 @@ Value Algebra::sum(Operator op, const Operand& left, const Operand& right, Span 
   return each(left.value.size(), [&](std::size_t i) { return compute(op, {left.value[i], right.value[i]}, whole); });
 }
 
+/// A known factor of 0 says that the scene does not need the other, as 0 in a vector of directions does.
+std::optional<Scalar> Algebra::product(const Scalar& a, const Scalar& b, Span whole) {
+  return a.is_zero() || b.is_zero() ? Scalar{} : compute(Operator::Multiply, {a, b}, whole);
+}
+
 Value Algebra::multiply(const Operand& left, const Operand& right, Span sign, Span whole) {
   const Value& a = left.value;
   const Value& b = right.value;
@@ -66,10 +71,10 @@ Value Algebra::multiply(const Operand& left, const Operand& right, Span sign, Sp
     context_.report.report(Finding::VectorProduct, sign);
   }
   if (a.is_scalar()) {
-    return each(b.size(), [&](std::size_t i) { return compute(Operator::Multiply, {a[0], b[i]}, whole); });
+    return each(b.size(), [&](std::size_t i) { return product(a[0], b[i], whole); });
   }
   if (b.is_scalar()) {
-    return each(a.size(), [&](std::size_t i) { return compute(Operator::Multiply, {a[i], b[0]}, whole); });
+    return each(a.size(), [&](std::size_t i) { return product(a[i], b[0], whole); });
   }
   return {};
 }

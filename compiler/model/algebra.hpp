@@ -42,7 +42,7 @@ class Algebra {
 
  private:
   Value sum(graph::Operator op, const Operand& left, const Operand& right, Span sign, Span whole);
-  Value square_of_norm(const Value& value, Span whole);
+  std::optional<Scalar> product(const Scalar& a, const Scalar& b, Span whole);
   /// A component of a result; empty, with a finding, if it is a number out of range.
   std::optional<Scalar> compute(graph::Operator op, std::initializer_list<Scalar> operands, Span whole);
   /// The value whose components are `component(i)`; nothing, if one of them is missing.

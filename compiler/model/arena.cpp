@@ -1,6 +1,7 @@
 #include "model/arena.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "diagnostics/assert.hpp"
 #include "graph/evaluate.hpp"
@@ -83,10 +84,14 @@ ExpressionId Arena::node(Scalar scalar, Span span) {
   if (scalar.node) {
     return *scalar.node;
   }
-  Expression number;
-  number.number = scalar.number;
-  number.span = span;
-  return *append(number, Quantities::None).node;
+  const auto [known, is_new] = numbers_.try_emplace(std::bit_cast<std::uint64_t>(scalar.number));
+  if (is_new) {
+    Expression number;
+    number.number = scalar.number;
+    number.span = span;
+    known->second = *append(number, Quantities::None).node;
+  }
+  return known->second;
 }
 
 Scalar Arena::scalar(ExpressionId id) const {

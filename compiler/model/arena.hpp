@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,7 @@ class Arena {
   Scalar append(const Expression& expression, Quantities quantities);
 
   std::vector<Expression> expressions_;
+  std::unordered_map<std::uint64_t, ExpressionId> numbers_;  ///< by their bits
   std::vector<Quantities> quantities_;
 };
 

@@ -85,18 +85,11 @@ Value Evaluator::call_operator(Operator op, const ast::Call& call, const std::ve
 }
 
 Value Evaluator::call_if(const ast::Call& call, Span span, const Frame* frame) {
-  if (!expect_arguments(call, 3, 3)) {
-    return {};
-  }
-  const auto* comparison = std::get_if<ast::Comparison>(&call.arguments[0].node);
-  if (comparison == nullptr) {
-    context_.report.report(Finding::ConditionExpected, call.arguments[0].span);
-    return {};
-  }
-  const bool exchanged = comparison->op == ast::ComparisonOperator::NotEqual;
+  const auto& comparison = std::get<ast::Comparison>(call.arguments[0].node);
+  const bool exchanged = comparison.op == ast::ComparisonOperator::NotEqual;
   const ast::Expression& yes = call.arguments[exchanged ? 2 : 1];
   const ast::Expression& no = call.arguments[exchanged ? 1 : 2];
-  const Value decision = condition(*comparison, call.arguments[0].span, frame);
+  const Value decision = condition(comparison, call.arguments[0].span, frame);
   if (decision.is_number()) {
     return evaluate(decision.is_zero() ? no : yes, frame);
   }

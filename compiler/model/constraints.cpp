@@ -61,10 +61,6 @@ void SystemBuilder::add(const ast::Constraint& constraint, const Instance& insta
 Value SystemBuilder::equation(const ast::Constraint& constraint, Span span, const Frame* frame) {
   std::vector<Operand> sides;
   for (const ast::Expression& side : constraint.sides) {
-    if (std::holds_alternative<ast::Comparison>(side.node)) {
-      context_.report.report(Finding::Inequality, side.span);
-      return {};
-    }
     sides.push_back({evaluator_.evaluate(side, frame), side.span});
   }
   if (sides.size() > 2) {

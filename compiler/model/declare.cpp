@@ -83,7 +83,7 @@ class Unrolling {
 
   void declare(const ast::Statement& statement, Frame* frame) {
     if (const auto* particle = std::get_if<ast::Particle>(&statement.node)) {
-      declare_particle(*particle, frame);
+      declare_particle(*particle, statement.span, frame);
     } else if (std::holds_alternative<ast::Let>(statement.node) ||
                std::holds_alternative<ast::Parameter>(statement.node)) {
       define(statement, frame);
@@ -124,11 +124,12 @@ class Unrolling {
     }
   }
 
-  void declare_particle(const ast::Particle& syntax, Frame* frame) {
+  void declare_particle(const ast::Particle& syntax, Span statement, Frame* frame) {
     const ast::Declarator& declarator = syntax.name;
     Particle particle;
     particle.position = context_.symbols.particles.size();
     particle.syntax = &syntax;
+    particle.statement = statement;
     particle.frame = frame;
     const Frame* index = declarator.indices.empty() ? find_index(frame, declarator.name) : nullptr;
     if (declarator.number || index != nullptr) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnostics/assert.hpp"
 #include "model/names.hpp"
 
 namespace mbcc::model {
@@ -119,8 +120,9 @@ Value Evaluator::combine(const ast::Binary& binary, const Operand& left, const O
   return {};
 }
 
-Value Evaluator::visit(const ast::Comparison& /*comparison*/, Span span, const Frame* /*frame*/) {
-  context_.report.report(Finding::ComparisonOutsideIf, span);
+/// The grammar has comparisons in `if` only, which looks at them itself.
+Value Evaluator::visit(const ast::Comparison& /*comparison*/, Span /*span*/, const Frame* /*frame*/) {
+  MBCC_ASSERT(false);
   return {};
 }
 

@@ -61,9 +61,15 @@ void SystemBuilder::add_motion(const Particle& particle, const Fields& fields) {
   }
 }
 
+void SystemBuilder::report_missing(const Particle& particle, std::string_view field) {
+  if (!context_.report.is_damaged(particle.statement)) {
+    context_.report.report(Finding::MissingField, particle.syntax->name.span, describe(particle), field, field);
+  }
+}
+
 Value SystemBuilder::start_of(const Particle& particle, const ast::Field* field, std::string_view what) {
   if (field == nullptr) {
-    context_.report.report(Finding::MissingField, particle.syntax->name.span, describe(particle), what, what);
+    report_missing(particle, what);
     return {};
   }
   const Operand start{evaluator_.evaluate(field->value, particle.frame), field->value.span};
@@ -74,7 +80,7 @@ Value SystemBuilder::start_of(const Particle& particle, const ast::Field* field,
 /// Its value is checked where the parameters have their defaults: others are the run's affair.
 ExpressionId SystemBuilder::mass_of(const Particle& particle, const ast::Field* field) {
   if (field == nullptr) {
-    context_.report.report(Finding::MissingField, particle.syntax->name.span, describe(particle), "mass", "mass");
+    report_missing(particle, "mass");
     return {};
   }
   const Operand mass{evaluator_.evaluate(field->value, particle.frame), field->value.span};

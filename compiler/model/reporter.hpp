@@ -1,6 +1,8 @@
 #pragma once
 // Passes findings on to the user's diagnostics, each once: what an unrolled loop finds in every pass is one mistake.
 
+#include <algorithm>
+#include <cstddef>
 #include <set>
 #include <tuple>
 
@@ -8,9 +10,16 @@
 
 namespace mbcc::model {
 
+inline bool covers(Span outer, Span inner) {
+  return outer.file == inner.file && outer.begin <= inner.begin && inner.end <= outer.end;
+}
+
 class Reporter {
  public:
-  explicit Reporter(Diagnostics& diagnostics) : diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
+  explicit Reporter(Diagnostics& diagnostics)
+      : diagnostics_(diagnostics),
+        errors_before_(diagnostics.errors()),
+        before_(static_cast<std::ptrdiff_t>(diagnostics.all().size())) {}
 
   /// As Diagnostics::report, but silent if the same finding has been reported at the same place.
   template <class... Arguments>
@@ -19,6 +28,12 @@ class Reporter {
       return repeated_ = Diagnostic{finding, severity_of(finding), span, {}, {}};
     }
     return diagnostics_.report(finding, span, arguments...);
+  }
+
+  /// Whether part of what `span` covers could not be read.
+  bool is_damaged(Span span) const {
+    const auto is_inside = [&](const Diagnostic& before) { return covers(span, before.span); };
+    return std::any_of(diagnostics_.all().begin(), diagnostics_.all().begin() + before_, is_inside);
   }
 
   Diagnostics& diagnostics() { return diagnostics_; }
@@ -33,6 +48,7 @@ class Reporter {
  private:
   Diagnostics& diagnostics_;
   std::size_t errors_before_;
+  std::ptrdiff_t before_;  ///< findings, of all kinds, that others had made
   bool names_are_lost_ = false;
   std::set<std::tuple<Finding, std::uint32_t, std::uint32_t, std::uint32_t>> seen_;
   Diagnostic repeated_;  ///< takes the notes of a report that is not passed on

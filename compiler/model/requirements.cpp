@@ -9,14 +9,6 @@
 #include "model/system_builder.hpp"
 
 namespace mbcc::model {
-namespace {
-
-bool covers(Span outer, Span inner) {
-  return outer.file == inner.file && outer.begin <= inner.begin && inner.end <= outer.end;
-}
-
-}  // namespace
-
 Value SystemBuilder::expect_vector(const Operand& operand, std::string_view what) {
   const Value& value = operand.value;
   const auto dimension = static_cast<std::size_t>(context_.dimension);

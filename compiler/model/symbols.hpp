@@ -56,6 +56,7 @@ struct Particle {
   long number = 0;           ///< from 1; 0 for named ones
   std::size_t position = 0;  ///< in order of declaration, from 0
   const ast::Particle* syntax = nullptr;
+  Span statement;
   const Frame* frame = nullptr;
 };
 std::string describe(const Particle& particle);  ///< "particle 1", "`bob`"

@@ -23,6 +23,7 @@ class SystemBuilder {
   using Fields = std::map<std::string_view, const ast::Field*>;
   void add_motion(const Particle& particle, const Fields& fields);
   Value start_of(const Particle& particle, const ast::Field* field, std::string_view what);
+  void report_missing(const Particle& particle, std::string_view field);
   ExpressionId mass_of(const Particle& particle, const ast::Field* field);
 
   // forces.cpp

@@ -17,16 +17,15 @@ Value Algebra::dot(const Operand& left, const Operand& right, Span whole) {
                            describe(b));
     return {};
   }
-  Value total;
+  Value total = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const bool is_square = a[i].node && a[i].node == b[i].node;
-    const std::optional<Scalar> product = is_square ? compute(Operator::Power, {a[i], Scalar{2, std::nullopt}}, whole)
-                                                    : compute(Operator::Multiply, {a[i], b[i]}, whole);
-    if (!product) {
+    const std::optional<Scalar> term =
+        is_square ? compute(Operator::Power, {a[i], {2, std::nullopt}}, whole) : product(a[i], b[i], whole);
+    if (!term) {
       return {};
     }
-    const Operand so_far{total, whole};
-    total = i == 0 ? Value(*product) : add(so_far, {*product, whole}, whole, whole);
+    total = add({total, whole}, {*term, whole}, whole, whole);
   }
   return total;
 }
@@ -43,9 +42,13 @@ Value Algebra::cross(const Operand& left, const Operand& right, Span whole) {
     return {};
   }
   const auto minor = [&](std::size_t i, std::size_t j) -> std::optional<Scalar> {
-    const auto first = compute(Operator::Multiply, {a[i], b[j]}, whole);
-    const auto second = compute(Operator::Multiply, {a[j], b[i]}, whole);
-    return first && second ? compute(Operator::Subtract, {*first, *second}, whole) : std::nullopt;
+    const auto first = product(a[i], b[j], whole);
+    const auto second = product(a[j], b[i], whole);
+    if (!first || !second) {
+      return std::nullopt;
+    }
+    const Value difference = subtract({*first, whole}, {*second, whole}, whole, whole);
+    return difference.is_nothing() ? std::nullopt : std::optional(difference[0]);
   };
   if (a.size() == 2) {
     return each(1, [&](std::size_t) { return minor(0, 1); });
