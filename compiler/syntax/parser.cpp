@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "diagnostics/assert.hpp"
-#include "syntax/token_parsers.hpp"
-#include "syntax/tree_actions.hpp"
+#include "syntax/x3/actions.hpp"
+#include "syntax/x3/terminals.hpp"
 
 namespace mbcc::grammar {
 namespace {

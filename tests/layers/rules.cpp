@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace mbcc::layers {
@@ -19,7 +20,13 @@ std::optional<std::size_t> layer_of(std::string_view path) {
 
 bool starts_with(const std::string& text, std::string_view prefix) { return text.rfind(prefix, 0) == 0; }
 
-bool is_header(std::string_view path) { return path.substr(path.rfind('.')) == ".hpp"; }
+bool is_source(std::string_view path) { return path.substr(path.rfind('.')) == ".cpp"; }
+
+std::optional<std::string> included_by(const std::string& line) {
+  static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::smatch match;
+  return std::regex_search(line, match, include) ? std::optional(match[1].str()) : std::nullopt;
+}
 
 /// The operator table spells each operator in C++ too: one place for all that depends on which operator it is.
 bool is_emitters(std::string_view path) {
@@ -34,12 +41,6 @@ std::optional<std::string> broken_include(std::string_view path, const std::stri
   }
   if (starts_with(included, "mbrt/") && order[own] != "driver") {
     return "includes " + included + ", which belongs to what is emitted";
-  }
-  if (starts_with(included, "boost/") && (order[own] != "syntax" || is_header(path))) {
-    return "includes " + included + " outside of the parser";
-  }
-  if (starts_with(included, "Eigen/") && is_header(path)) {
-    return "includes " + included + " in a header";
   }
   return std::nullopt;
 }
@@ -57,14 +58,12 @@ std::vector<std::string> broken_rules(std::string_view path, std::string_view te
   if (!layer_of(path)) {
     return {"is in no layer"};
   }
-  static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
   static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
   std::vector<std::string> broken;
   std::istringstream lines{std::string(text)};
   for (std::string line; std::getline(lines, line);) {
-    std::smatch match;
-    if (std::regex_search(line, match, include)) {
-      if (auto rule = broken_include(path, match[1])) {
+    if (const auto included = included_by(line)) {
+      if (auto rule = broken_include(path, *included)) {
         broken.push_back(*std::move(rule));
       }
       continue;
@@ -79,6 +78,36 @@ std::vector<std::string> broken_rules(std::string_view path, std::string_view te
     }
   }
   return broken;
+}
+
+namespace {
+
+bool reaches(const std::string& prefix, const std::string& path, const Files& files, std::set<std::string>& visited) {
+  const auto file = files.find(path);
+  if (file == files.end() || !visited.insert(path).second) {
+    return false;
+  }
+  std::istringstream lines(file->second);
+  for (std::string line; std::getline(lines, line);) {
+    const auto included = included_by(line);
+    if (included && (starts_with(*included, prefix) || reaches(prefix, *included, files, visited))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> sources_that_reach(const std::string& prefix, const Files& files) {
+  std::vector<std::string> found;
+  for (const auto& [path, text] : files) {
+    std::set<std::string> visited;
+    if (is_source(path) && reaches(prefix, path, files, visited)) {
+      found.push_back(path);
+    }
+  }
+  return found;
 }
 
 }  // namespace mbcc::layers

@@ -1,13 +1,13 @@
 #pragma once
-// What the rules of the grammar do with the parts that they read. Only parser.cpp may include this.
+// What the rules of the grammar do with the parts that they read. Included by parser.cpp alone.
 
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "syntax/ast.hpp"
-#include "syntax/token_parsers.hpp"
 #include "syntax/tree.hpp"
+#include "syntax/x3/terminals.hpp"
 
 namespace mbcc::grammar {
 

@@ -1,5 +1,5 @@
 #pragma once
-// The terminals of the grammar as parsers of Spirit X3. Only parser.cpp may include this.
+// The terminals of the grammar as parsers of Spirit X3. Included by parser.cpp alone.
 
 #include <boost/spirit/home/x3.hpp>
 #include <functional>
