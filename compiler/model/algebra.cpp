@@ -17,7 +17,8 @@ std::string describe(const Value& value) {
 std::optional<Scalar> Algebra::compute(Operator op, std::initializer_list<Scalar> operands, Span whole) {
   const Scalar result = context_.arena.apply(op, operands, whole);
   if (result.is_number() && !std::isfinite(result.number)) {
-    const Finding finding = std::isnan(result.number) ? Finding::NoRealValue : Finding::Overflow;
+    const bool has_pole = op == Operator::Ln || op == Operator::Log || op == Operator::Atanh;
+    const Finding finding = std::isnan(result.number) || has_pole ? Finding::NoRealValue : Finding::Overflow;
     context_.report.report(finding, whole, context_.sources.text(whole));
     return std::nullopt;
   }

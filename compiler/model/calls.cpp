@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "diagnostics/spelling.hpp"
 #include "model/evaluator.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 using graph::Operator;
 
-constexpr std::size_t any_number = 1000;
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 /// Functions of two numbers that go on with the result and a third, a fourth, ...
 constexpr std::array repeated = {Operator::Min, Operator::Max, Operator::Hypot};

@@ -16,6 +16,12 @@ bool belongs_outside_loops(const ast::Statement& statement) {
          std::holds_alternative<ast::Integrate>(statement.node);
 }
 
+/// Of statements in loops.
+bool is_local(const ast::Statement& statement) {
+  const auto* let = std::get_if<ast::Let>(&statement.node);
+  return let != nullptr && let->name.indices.empty();
+}
+
 const ast::Expression& expression_of(const ast::Statement& statement) {
   if (const auto* let = std::get_if<ast::Let>(&statement.node)) {
     return let->value;
@@ -75,8 +81,12 @@ class Unrolling {
     for (long value = *first; value <= *last && context_.budget.spend_statement(statement.keyword_span); ++value) {
       context_.symbols.frames.push_back({frame, loop.index, value, loop.index_span, {}});
       Frame& pass = context_.symbols.frames.back();
-      for (const ast::Statement& inner : loop.body) {
-        add(inner, &pass);
+      for (const bool local : {true, false}) {  // so that loops inside see all local names that they must not hide
+        for (const ast::Statement& inner : loop.body) {
+          if (is_local(inner) == local) {
+            add(inner, &pass);
+          }
+        }
       }
     }
   }
@@ -176,8 +186,9 @@ class Unrolling {
     }
     const auto [entry, is_new] = symbol->elements.try_emplace(*indices, Element{position, declarator.span});
     if (!is_new) {
+      const bool by_loop = entry->second.span == declarator.span;
       context_.report.report(Finding::AlreadyDeclared, declarator.span, element_name(declarator.name, *indices))
-          .note(entry->second.span, "first declared here");
+          .note(entry->second.span, by_loop ? "first declared by an earlier pass of the loop" : "first declared here");
       return std::nullopt;
     }
     return indices;

@@ -36,6 +36,10 @@ class NameDeclaration {
     if (is_numbered || (is_local && declared.kind == SymbolKind::Let)) {
       return;
     }
+    if (!loops_.empty() && declared.kind == SymbolKind::Constant) {
+      context_.symbols.refused.insert(declarator.name);
+      return;
+    }
     if (refuse_reserved(declared)) {
       context_.symbols.refused.insert(declarator.name);
     } else if (is_local) {

@@ -69,12 +69,9 @@ std::optional<Indices> Evaluator::indices(const std::vector<ast::Expression>& ex
   return known ? std::optional(std::move(indices)) : std::nullopt;
 }
 
-Value Evaluator::visit(const ast::Number& number, Span span, const Frame* /*frame*/) {
-  if (!std::isfinite(number.value)) {
-    context_.report.report(Finding::Overflow, span, context_.sources.text(span));
-    return {};
-  }
-  return number.value;
+/// A number that is out of range has been reported when it was read.
+Value Evaluator::visit(const ast::Number& number, Span /*span*/, const Frame* /*frame*/) {
+  return std::isfinite(number.value) ? Value(number.value) : Value();
 }
 
 Value Evaluator::visit(const ast::Unary& unary, Span span, const Frame* frame) {

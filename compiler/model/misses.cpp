@@ -99,7 +99,7 @@ void Evaluator::report_unknown(const ast::Part& part, const Frame* frame) {
   const auto particles = static_cast<long>(context_.symbols.numbered_particles.size());
   const std::string why = why_no_variable(name, context_.dimension, particles);
   if (!part.indices.empty() && (!reserved_as(name).empty() || find_index(frame, name) || find_local(frame, name))) {
-    context_.report.report(Finding::IndexCount, part.span, name, "no index", count_of(part.indices.size(), "index"));
+    context_.report.report(Finding::IndexCount, part.span, name, indices_taken(0), part.indices.size());
   } else if (is_function(name)) {
     context_.report.report(Finding::NotAValue, part.span, name, "a function", fmt::format(": write `{}(...)`", name));
   } else if (why.empty()) {

@@ -136,9 +136,12 @@ std::string element_name(std::string_view name, const std::vector<long>& indices
   return indices.empty() ? std::string(name) : fmt::format("{}[{}]", name, fmt::join(indices, ","));
 }
 
+std::string indices_taken(std::size_t count) {
+  return count == 0 ? "no index" : count == 1 ? "1 index" : fmt::format("{} indices", count);
+}
+
 std::string count_of(std::size_t count, std::string_view noun) {
-  const std::string_view plural = count == 1 ? "" : noun.back() == 'x' ? "es" : "s";
-  return fmt::format("{} {}{}", count, noun, plural);
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 }  // namespace mbcc::model

@@ -48,6 +48,9 @@ bool is_function(std::string_view name);
 /// `p[3]`, `q[1,2]`; the bare name without indices.
 std::string element_name(std::string_view name, const std::vector<long>& indices);
 
+/// "no index", "1 index", "2 indices".
+std::string indices_taken(std::size_t count);
+
 /// "1 argument", "3 components".
 std::string count_of(std::size_t count, std::string_view noun);
 

@@ -24,8 +24,7 @@ Value Evaluator::visit(const Reference& reference, Span span, const Frame* frame
   for (std::size_t i = 1; i < reference.parts.size(); ++i) {
     const ast::Part& part = reference.parts[i];
     if (!part.indices.empty()) {
-      context_.report.report(Finding::IndexCount, part.span, part.name, "no index",
-                             count_of(part.indices.size(), "index"));
+      context_.report.report(Finding::IndexCount, part.span, part.name, indices_taken(0), part.indices.size());
       return {};
     }
     const bool of_particle = i == 1 && start.particle != nullptr;
@@ -66,8 +65,7 @@ Evaluator::Base Evaluator::element(const Symbol& symbol, const ast::Part& part, 
     return {};
   }
   if (part.indices.size() != symbol.index_count) {
-    const std::string takes = symbol.index_count == 0 ? "no index" : count_of(symbol.index_count, "index");
-    context_.report.report(Finding::IndexCount, part.span, part.name, takes,
+    context_.report.report(Finding::IndexCount, part.span, part.name, indices_taken(symbol.index_count),
                            part.indices.empty() ? "none" : fmt::to_string(part.indices.size()));
     return {};
   }

@@ -60,7 +60,9 @@ System build(const std::vector<const ast::Statement*>& statements, Context& cont
   for (Definition& definition : context.symbols.definitions) {
     evaluator.evaluate(definition);  // what nothing uses is checked all the same
   }
-  warn_of_unused(context);
+  if (!context.report.statements_are_lost()) {
+    warn_of_unused(context);
+  }
   return system;
 }
 
