@@ -35,9 +35,14 @@ class Scratch {
 
 Vector vector(std::span<double> storage) { return {storage.data(), static_cast<Index>(storage.size())}; }
 
+/// The part of a usual S_kk below which LDL^T leaves a row to the pinv: ten times above the cut-off or higher.
+double smallest_square(double cutoff) { return std::max(vanishing_ratio, 100 * cutoff * cutoff); }
+
 /// LDL^T of S = B B^T: D on the diagonal of `factor`, L below it. False, with the factor unfinished, if a pivot is too
 /// small for refinement to make up for it.
-bool factor_squared(const RowMatrix& b, RowMatrix& factor) {
+bool factor_squared(const RowMatrix& b, RowMatrix& factor, double cutoff) {
+  const double smallest = smallest_square(cutoff);
+  const double ratio = std::max(refined_pivot_ratio, smallest);
   for (Index i = 0; i < b.rows(); ++i) {
     const double diagonal = b.row(i).squaredNorm();
     double pivot = diagonal;
@@ -49,7 +54,7 @@ bool factor_squared(const RowMatrix& b, RowMatrix& factor) {
       factor(i, j) = product / factor(j, j);
       pivot -= product * factor(i, j);
     }
-    if (!(pivot >= std::max(refined_pivot_ratio * diagonal, vanishing_ratio))) {
+    if (!(pivot >= std::max(ratio * diagonal, smallest))) {
       return false;
     }
     factor(i, i) = pivot;
@@ -69,13 +74,13 @@ void solve_squared(const RowMatrix& factor, Vector& x) {
 }
 
 /// Step 2. The residual r - B (B^T z) never sees S, so that the error of w ends near eps cond(B), not its square.
-bool solve_refined(const RowMatrix& b, const Vector& r, Scratch scratch, Vector& w) {
+bool solve_refined(const RowMatrix& b, const Vector& r, double cutoff, Scratch scratch, Vector& w) {
   constexpr int refinements = 2;
   const Index rows = b.rows();
   RowMatrix factor(scratch.take(rows * rows), rows, rows);
   Vector z(scratch.take(rows), rows);
   Vector correction(scratch.take(rows), rows);
-  if (!factor_squared(b, factor)) {
+  if (!factor_squared(b, factor, cutoff)) {
     return false;
   }
   z.setZero();
@@ -191,7 +196,7 @@ void climb(const Island& island, std::span<double> added) {
     return;
   }
   IslandRecord& record = *island.record;
-  if (solve_refined(b, r, Scratch(island.scratch), w)) {
+  if (solve_refined(b, r, record.cutoff, Scratch(island.scratch), w)) {
     ++record.refined;
     record.rank = static_cast<int>(b.rows());
     record.unreachable = 0;
@@ -205,6 +210,7 @@ void climb(const Island& island, std::span<double> added) {
 
 int take_scales(const Island& island) {
   const std::size_t columns = island.rows.mobility.size();
+  const double floor_ratio = smallest_square(island.record->cutoff);
   int vanishing = 0;
   for (std::size_t i = 0; i < island.scale.size(); ++i) {
     double square = 0;
@@ -213,10 +219,10 @@ int take_scales(const Island& island) {
       square += entry * entry * island.rows.mobility[j];
     }
     double& scale = island.scale[i];
-    const double smallest = scale > 0 ? vanishing_size / scale : 0;
-    if (std::isfinite(square) && std::sqrt(square) > smallest) {
+    const double smallest = scale > 0 ? vanishing_ratio / (scale * scale) : 0;
+    if (std::isfinite(square) && square > smallest) {
       scale = 1 / std::sqrt(square);
-      island.floor[i] = vanishing_ratio * square;
+      island.floor[i] = floor_ratio * square;
     } else {
       ++vanishing;
       scale = scale > 0 ? scale : 1;

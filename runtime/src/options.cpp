@@ -158,8 +158,8 @@ void check_files(const Options& options) {
   if (!options.csv.empty() && options.csv == options.summary) {
     throw UsageError{fmt::format("`--csv` and `--summary` both write to `{}`", options.csv)};
   }
-  if (options.cutoff >= 1) {
-    throw UsageError{fmt::format("the cut-off {} is not below 1: nothing would be left", options.cutoff)};
+  if (options.cutoff > largest_cutoff) {
+    throw UsageError{fmt::format("the cut-off {} is above {}", options.cutoff, largest_cutoff)};
   }
 }
 

@@ -116,10 +116,10 @@ Outcome inconsistent_start(const Options& options, std::string message, std::vec
 Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
   const std::vector<Island> islands = islands_of(model);
   std::vector<double> state = start_state(model, options);
-  take_row_scales(model, islands, options.from, state);
   for (const Island& island : islands) {
     island.record->cutoff = options.cutoff;
   }
+  take_row_scales(model, islands, options.from, state);
   if (std::string message = find_inconsistencies(model, islands, state); !message.empty()) {
     return inconsistent_start(options, std::move(message), std::move(state));
   }

@@ -23,11 +23,11 @@ inline constexpr double plain_pivot_ratio = 1e-4;
 inline constexpr double refined_pivot_ratio = 1e-9;
 /// floor_k relative to S_kk at the start: hands a row that vanishes to the pinv well before it reaches the cut-off.
 inline constexpr double vanishing_ratio = 1e-12;
-/// A row that shrinks below this part of its usual size counts as zero: the square root of vanishing_ratio.
-inline constexpr double vanishing_size = 1e-6;
 /// Singular values of the scaled A M^-1/2 below cut-off times the largest count as zero: between 1e-9, where parallel
 /// rows are to be held redundant, and 1e-7, up to where accelerations are to be accurate.
 inline constexpr double default_cutoff = 1e-8;
+/// Singular values at this cut-off are a tenth of those that step 1 leaves alone: with a larger one it would decide.
+inline constexpr double largest_cutoff = 1e-3;
 
 /// Dense rows of one island at one state, row-major: `matrix` A (rows x columns), `residual` r = b - A a (rows),
 /// `free` the acceleration a without constraints (columns), `mobility` 1/m (columns).
@@ -95,8 +95,9 @@ class IslandStorage {
 void climb(const Island& island, std::span<double> added);
 
 /// Takes row scales and pivot floors from island.rows, the rows at the start. Returns the number of rows that vanish
-/// there: rows that are zero, not finite or, where an earlier call has left a scale, smaller than vanishing_size times
-/// the size which that scale stands for. Their scale is left as it was, or set to 1 if there was none.
+/// there: rows that are zero, not finite or, where an earlier call has left a scale, smaller by vanishing_ratio than the
+/// S_kk which that scale stands for. Their scale is left as it was, or set to 1 if there was none. The floors depend on
+/// record->cutoff.
 int take_scales(const Island& island);
 
 }  // namespace mbrt
