@@ -1,0 +1,168 @@
+#include "driver/build.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "driver/files.hpp"
+#include "emit/emit.hpp"
+
+extern char** environ;
+
+namespace mbcc {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+bool is_program(const fs::path& path) { return access(path.c_str(), X_OK) == 0 && !fs::is_directory(path); }
+
+bool is_on_path(const std::string& program) {
+  if (program.find('/') != std::string::npos) {
+    return is_program(program);
+  }
+  std::istringstream path(environment("PATH"));
+  for (std::string directory; std::getline(path, directory, ':');) {
+    if (is_program(fs::path(directory.empty() ? "." : directory) / program)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Where the runtime is: beside an installed mbcc, or in the build that this mbcc comes from.
+struct Runtime {
+  fs::path include;
+  fs::path library;
+};
+
+Runtime find_runtime() {
+  std::error_code ignored;
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  const Runtime installed{prefix / MBCC_INSTALL_INCLUDEDIR, prefix / MBCC_INSTALL_LIBDIR / "libmbrt.a"};
+  if (fs::exists(installed.include / "mbrt" / "simulation.hpp", ignored) && fs::exists(installed.library, ignored)) {
+    return installed;
+  }
+  return {MBCC_BUILD_INCLUDE, MBCC_BUILD_LIBRARY};
+}
+
+fs::path cache_directory() {
+  const std::string cache_home = environment("XDG_CACHE_HOME");
+  const std::string home = environment("HOME");
+  if (!cache_home.empty()) {
+    return fs::path(cache_home) / "mbcc";
+  }
+  std::error_code ignored;
+  return home.empty() ? fs::temp_directory_path(ignored) / fmt::format("mbcc-{}", getuid())
+                      : fs::path(home) / ".cache" / "mbcc";
+}
+
+/// FNV-1a. It names a directory; the key itself is kept inside and compared, so that a collision does no harm.
+std::string short_hash(std::string_view key) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : key) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+/// Everything that the program depends on.
+std::string cache_key(const std::string& source, const std::vector<std::string>& command, const Runtime& runtime) {
+  std::error_code ignored;
+  return fmt::format("mbcc {}\n{}\nruntime {} of {} bytes, {}\n\n{}", version, fmt::join(command, " "),
+                     runtime.library.string(), fs::file_size(runtime.library, ignored),
+                     fs::last_write_time(runtime.library, ignored).time_since_epoch().count(), source);
+}
+
+/// Runs `command` with both outputs in `log`; whether it ended well.
+bool run_command(const std::vector<std::string>& command, const fs::path& log) {
+  std::vector<char*> arguments;
+  for (const std::string& word : command) {
+    arguments.push_back(const_cast<char*>(word.c_str()));
+  }
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  return failure == 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+std::vector<std::string> split_words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+std::optional<std::vector<std::string>> find_cxx_compiler() {
+  std::vector<std::string> command = split_words(environment("CXX"));
+  if (command.empty()) {
+    command = {"c++"};
+  }
+  return is_on_path(command.front()) ? std::optional(command) : std::nullopt;
+}
+
+BuildResult build_program(const std::string& source, const std::vector<std::string>& compiler,
+                          const std::vector<std::string>& flags) {
+  const Runtime runtime = find_runtime();
+  std::vector<std::string> command = compiler;
+  command.emplace_back("-std=c++20");
+  command.insert(command.end(), flags.begin(), flags.end());
+  for (const std::string& flag : split_words(MBCC_RUNTIME_FLAGS)) {
+    command.push_back(flag);
+  }
+  command.push_back("-I" + runtime.include.string());
+
+  const std::string key = cache_key(source, command, runtime);
+  const fs::path directory = cache_directory() / short_hash(key);
+  const fs::path program = directory / "simulation";
+  std::error_code failure;
+  if (fs::exists(program, failure) && read_file((directory / "key").string()) == key) {
+    return {program.string(), ""};
+  }
+  fs::create_directories(directory, failure);
+  const std::string unfinished = fmt::format("unfinished-{}", getpid());
+  const fs::path built = directory / unfinished;
+  const fs::path source_file = directory / (unfinished + ".cpp");
+  const fs::path log = directory / (unfinished + ".log");
+  if (failure || !write_file(source_file.string(), source)) {
+    return {"", fmt::format("cannot write to the cache directory `{}`\n", directory.string())};
+  }
+  for (const std::string& word : {source_file.string(), std::string("-o"), built.string(), runtime.library.string()}) {
+    command.push_back(word);
+  }
+  const bool compiled = run_command(command, log);
+  BuildResult result{"", compiled ? "" : read_file(log.string()).value_or("")};
+  std::error_code ignored;
+  if (compiled) {
+    // The key is in place before the program: who finds the program finds its key.
+    const bool keyed = write_file((directory / "key").string(), key);
+    fs::rename(built, program, failure);
+    result.program = keyed && !failure ? program.string() : "";
+  }
+  fs::remove(source_file, ignored);
+  fs::remove(log, ignored);
+  return result;
+}
+
+}  // namespace mbcc

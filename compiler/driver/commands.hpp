@@ -1,0 +1,35 @@
+#pragma once
+// The commands of mbcc. Each returns the exit code.
+
+#include <string>
+#include <vector>
+
+#include "driver/compile.hpp"
+
+namespace mbcc {
+
+/// What every command that reads a model takes.
+struct ModelArguments {
+  std::string model;  ///< path; `-` is standard input
+  bool strict = false;
+  bool werror = false;
+  bool json_diagnostics = false;
+};
+
+/// Writes the emitted file, or leaves an old one as it was. A depfile for make and ninja is written if asked for.
+int compile_command(const ModelArguments& arguments, const std::string& output, bool library,
+                    const std::string& depfile);
+
+/// Builds and becomes the simulation, with `flags` as its arguments; interprets it where there is no C++ compiler.
+int run_command(const ModelArguments& arguments, const std::string& cxx_flags, const std::vector<std::string>& flags);
+
+/// Prints the structure of the model.
+int check_command(const ModelArguments& arguments);
+
+/// Compares an emitted file with what this mbcc emits for the model.
+int verify_command(const ModelArguments& arguments, const std::string& emitted);
+
+/// Prints one representation of the model.
+int dump_command(const ModelArguments& arguments, const std::string& stage, bool partials);
+
+}  // namespace mbcc

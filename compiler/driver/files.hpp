@@ -1,0 +1,20 @@
+#pragma once
+// Files and paths, as the driver needs them.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mbcc {
+
+/// The whole text of a file, `-` being standard input; nothing if it cannot be read.
+std::optional<std::string> read_file(const std::string& path);
+
+/// Replaces `path` by a file of that text, or leaves the old one as it was and returns false. `-` is standard output.
+bool write_file(const std::string& path, std::string_view text);
+
+/// `path` as seen from the directory of `file`.
+std::string relative_to_file(const std::string& file, const std::string& path);
+
+}  // namespace mbcc

@@ -1,0 +1,129 @@
+#include "driver/help.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "emit/emit.hpp"
+#include "graph/operators.hpp"
+
+namespace mbcc {
+
+namespace {
+
+constexpr std::string_view overview = R"(mbcc: a compiler for mechanics
+
+  mbcc MODEL.mbd -o SIM.cpp            compile a model to one C++ program (-o - is standard output)
+       --library                       the class alone: no main, no allocation, no streams
+       --depfile FILE                  the files that the output depends on, for make and ninja
+  mbcc run MODEL.mbd [flags]           compile, build and run; flags are the simulation's (mbcc help run)
+  mbcc check MODEL.mbd                 diagnostics, then the structure of the model
+  mbcc verify MODEL.mbd SIM.cpp        is SIM.cpp what this mbcc emits for the model?
+  mbcc dump MODEL.mbd --stage=STAGE    tokens, syntax, system, equations, derivatives [--partials] or program
+  mbcc help TOPIC                      language, functions, run, exit
+  mbcc --version
+
+With every command: --strict (forces and constraints in the paper's grammar), --werror, --diagnostics=json.
+MODEL may be - for standard input.
+)";
+
+constexpr std::string_view language = R"(A model in one page
+
+  system pendulum                          # comments run to the line's end
+  dimension 2                              # 1, 2 or 3
+  parameter L = 0.5                        # may be set when running: --set L=0.7
+  constant  N = 10                         # fixed when compiling; counts and bounds
+
+  particle bob {                           # bob.x, bob.vx, bob.position, bob.velocity
+    mass     = 1
+    position = (0, -L)
+    velocity = (1, 0)
+  }
+  particle 1 { mass = 1; position = (1, 0) }         # x1, y1, vx1, vy1
+  gravity (0, -9.81)
+  force on bob = -0.1*bob.velocity         # any number of times
+  constraint rod : norm(bob.position)^2 = L^2
+  constraint     : x1*vx1 + y1*vy1         # no `=`: the expression is zero
+  for i in 1..N { particle p[i] { mass = 1; position = (i, 0) } }
+  let r = norm(bob.position)
+  output tension = sum(i in 1..N, p[i].x)
+  integrate { from = 0; to = 10; step = 0.001; method = rk4 }
+
+A prime is the total time derivative: (x1*y1)'. Holonomic or not is decided from the variables that occur.
+`import "other.mbd"` reads another file. `mbcc help functions` lists functions; `mbcc help run` the flags of a run.
+)";
+
+constexpr std::string_view run = R"(Flags of `mbcc run MODEL.mbd` and of emitted programs
+
+  --from T0 --to T1 --step H           times; the model's `integrate` gives the defaults
+  --method rk4                         classical Runge-Kutta with constant step
+  --set NAME=VALUE ...                 parameters
+  --initial NAME=VALUE ...             coordinates and speeds at the start
+  --csv FILE --every DT                record rows (- is standard output)
+  --summary FILE                       JSON: errors of every constraint, energy, rank, steps, times
+  --cutoff X                           singular values below X of the largest count as zero (default 1e-8)
+  --repeat N                           also time N runs without monitors
+  --quiet --progress
+
+Of mbcc itself, for the build (kept by content in the user's cache): --cxxflags="-O3 -march=native", and CXX in the
+environment. Without a C++ compiler the model is interpreted.
+)";
+
+constexpr std::string_view exit_codes = R"(Exit codes
+
+   0  fine, warnings included
+   1  the model is wrong, or a check failed (with --werror also warnings)
+   2  wrong usage, unreadable input, unwritable output
+   3  the simulation failed while running
+  70  a bug in mbcc
+ 130  interrupted
+)";
+
+std::string functions() {
+  std::string text = "Functions, by number of arguments\n\n";
+  for (int arity = 1; arity <= 3; ++arity) {
+    text += fmt::format("  {}:", arity);
+    for (const graph::OperatorRow& row : graph::operator_table) {
+      if (row.arity == arity && graph::find_function(row.spelling) == row.op) {
+        text += fmt::format(" {}", row.spelling);
+      }
+    }
+    text += "\n";
+  }
+  return text + R"(
+  vectors: dot cross norm; sum(j in 1..N, expression)
+
+`ln` is natural, `log` is base 10. `if(a < b, x, y)` takes a comparison. `min`, `max` and `hypot` take two or more.
+)";
+}
+
+struct Topic {
+  std::string_view name;
+  std::string (*text)();
+};
+constexpr std::array topics = {Topic{"", [] { return std::string(overview); }},
+                               Topic{"language", [] { return std::string(language); }},
+                               Topic{"functions", functions},
+                               Topic{"run", [] { return std::string(run); }},
+                               Topic{"exit", [] { return std::string(exit_codes); }}};
+
+}  // namespace
+
+std::optional<std::string> help_text(std::string_view topic) {
+  for (const Topic& candidate : topics) {
+    if (candidate.name == topic) {
+      return candidate.text();
+    }
+  }
+  return std::nullopt;
+}
+
+std::string help_topics() {
+  std::string names;
+  for (const Topic& topic : topics) {
+    names += topic.name.empty() ? "" : fmt::format("{}`{}`", names.empty() ? "" : ", ", topic.name);
+  }
+  return names;
+}
+
+}  // namespace mbcc
