@@ -22,6 +22,9 @@ class Budget {
   bool allows_nodes(std::size_t nodes, Span span) { return spend(nodes, most_nodes, "operations", span); }
   bool is_exhausted() const { return exhausted_; }
 
+  /// For a reason that the caller reports.
+  void exhaust() { exhausted_ = true; }
+
  private:
   bool spend(std::size_t spent, std::size_t most, std::string_view what, Span span) {
     if (spent > most && !exhausted_) {

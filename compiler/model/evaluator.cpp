@@ -25,6 +25,7 @@ Value Evaluator::evaluate(const ast::Expression& expression, const Frame* frame)
   }
   if (depth_ == most_levels) {
     context_.report.report(Finding::TooDeep, expression.span, most_levels);
+    context_.budget.exhaust();
     return {};
   }
   ++depth_;

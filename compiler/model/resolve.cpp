@@ -47,7 +47,7 @@ System build(const std::vector<const ast::Statement*>& statements, Context& cont
   system.name = stem(context.sources[0].name());
   Evaluator evaluator(context);
   const std::vector<Instance> instances = declare(statements, evaluator, context);
-  if (context.dimension == 0) {
+  if (context.dimension == 0 || context.budget.is_exhausted()) {
     return system;
   }
   system.dimension = context.dimension;
@@ -60,7 +60,7 @@ System build(const std::vector<const ast::Statement*>& statements, Context& cont
   for (Definition& definition : context.symbols.definitions) {
     evaluator.evaluate(definition);  // what nothing uses is checked all the same
   }
-  if (!context.report.statements_are_lost()) {
+  if (!context.report.statements_are_lost() && !context.budget.is_exhausted()) {
     warn_of_unused(context);
   }
   return system;

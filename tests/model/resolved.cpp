@@ -1,6 +1,7 @@
 #include "resolved.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "diagnostics/render.hpp"
 #include "model/expression_text.hpp"
@@ -9,7 +10,10 @@
 namespace mbcc::test {
 namespace {
 
-std::string folder_of(const std::string& name) { return name.substr(0, name.find_last_of('/') + 1); }
+/// The name of the file that `importing` calls `path`.
+std::string relative_to(const std::string& importing, const std::string& path) {
+  return (std::filesystem::path(importing).parent_path() / path).lexically_normal().string();
+}
 
 }  // namespace
 
@@ -28,7 +32,7 @@ Resolved resolve_files(const Files& files, const std::string& name) {
     return ImportedFile{file, parse(lex(sources, file, diagnostics), diagnostics)};
   };
   const Importer import = [&](const std::string& path, std::uint32_t importing) {
-    return read(folder_of(sources[importing].name()) + path);
+    return read(relative_to(sources[importing].name(), path));
   };
   const ast::ModelFile model = read(name)->model;
   resolved.system = resolve(model, sources, import, diagnostics);

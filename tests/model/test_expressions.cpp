@@ -79,7 +79,7 @@ TEST_CASE("vectors work component by component") {
   CHECK(shown("(x1, y1)*k") == "x1*k, y1*k");
   CHECK(shown("d.x + d.y", "let d = (x1, y1)") == "x1 + y1");
   CHECK(shown("bob.velocity.z") == "bob.vz");
-  CHECK(shown("if(x1 < 0, (x1, y1), 0)") == "if(x1 < 0, x1, 0), if(x1 < 0, y1, 0)");
+  CHECK(shown("if(x1 < 0, (x1, y1), 0)") == "$1 = x1 < 0; if($1, x1, 0), if($1, y1, 0)");
 }
 
 TEST_CASE("dot, cross and norm are written out") {

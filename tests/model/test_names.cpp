@@ -30,8 +30,7 @@ TEST_CASE("statements may stand in any order") {
       "constant n = two\n"
       "dimension n\n";
   CHECK(printed(model) == printed(reversed));
-  CHECK(printed(model).find("p[2].y: starts at 7*m") == std::string::npos);  // shared by both particles, so named
-  CHECK(printed(model).find("$1 = 7*m") != std::string::npos);
+  CHECK(printed(model).find("p[2].y: starts at 7*m") != std::string::npos);
 }
 
 TEST_CASE("names in loops are seen everywhere if indexed, and in their pass only if not") {
@@ -41,7 +40,8 @@ TEST_CASE("names in loops are seen everywhere if indexed, and in their pass only
               "for i in 3..3 { let same = i; output o[i] = same*x1 }") == "1*x1, 2*x1, 3*x1, k");
   const std::string outside = "for i in 1..2 { let half = i; output o[i] = half }\noutput p = half\n";
   CHECK(resolve_text(outside).messages().find("unknown name `half`") != std::string::npos);
-  const std::string inner = "for i in 1..1 { for j in 1..1 { let a = j; output o[i] = a } let a = i; output q[i] = a }";
+  const std::string inner =
+      "for i in 1..1 { for j in 1..1 { let a = j; output o[i] = a }; let a = i; output q[i] = a }";
   CHECK(resolve_text(inner).messages().find("`a` would hide") != std::string::npos);
 }
 
