@@ -6,14 +6,17 @@
 #include "syntax/derive.hpp"
 #include "syntax/front_end.hpp"
 #include "syntax/recognise.hpp"
+#include "syntax/spoil.hpp"
 
 namespace mbcc {
 namespace {
 
 using ebnf::Deriver;
 using ebnf::Grammar;
+using ebnf::joined;
 using ebnf::Node;
 using ebnf::Recogniser;
+using ebnf::spoil;
 
 const std::map<std::string, TokenKind> token_classes = {
     {"name", TokenKind::Name}, {"natural", TokenKind::Natural},     {"real", TokenKind::Real},
@@ -53,15 +56,6 @@ std::vector<std::string> usable_sentence(Deriver& deriver) {
   }
 }
 
-std::string joined(const std::vector<std::string>& tokens, std::string_view between) {
-  std::string text;
-  for (const std::string& token : tokens) {
-    text += token;
-    text += between;
-  }
-  return text;
-}
-
 bool grammar_accepts(const TokenBuffer& tokens) {
   const auto terminal = [&tokens](const Node& node, std::size_t place) -> std::optional<std::size_t> {
     const Token& token = tokens[place];
@@ -75,22 +69,6 @@ bool grammar_accepts(const TokenBuffer& tokens) {
     return token.kind == token_class->second ? place + 1 : Recogniser::npos;
   };
   return Recogniser(grammar(), tokens.size() - 1, terminal).accepts(grammar().start);
-}
-
-/// One token deleted, replaced or inserted.
-void spoil(std::vector<std::string>& sentence, const std::vector<std::string>& pool, Deriver& deriver) {
-  const std::size_t place = deriver.below(sentence.size());
-  const auto at = sentence.begin() + static_cast<std::ptrdiff_t>(place);
-  switch (deriver.below(3)) {
-    case 0:
-      sentence.erase(at);
-      break;
-    case 1:
-      *at = deriver.any_of(pool);
-      break;
-    default:
-      sentence.insert(at, deriver.any_of(pool));
-  }
 }
 
 /// Every literal of the language, and some tokens of each class.
@@ -180,8 +158,8 @@ TEST_CASE("the lexer and the grammar agree on tokens with one character changed"
       ++(made ? accepted : refused);
     }
   }
-  CHECK(accepted > 1000);
-  CHECK(refused > 1000);
+  CHECK(accepted > 500);
+  CHECK(refused > 500);
 }
 
 TEST_CASE("the parser accepts each sentence that the grammar derives") {
@@ -202,7 +180,7 @@ TEST_CASE("the parser and the grammar agree on sentences with one token changed"
   Deriver deriver(grammar(), token_names(), 4);
   const std::vector<std::string> pool = token_pool(deriver);
   std::size_t accepted = 0, refused = 0;
-  while (accepted + refused < 10000) {
+  while (accepted + refused < 6000) {
     std::vector<std::string> sentence = usable_sentence(deriver);
     if (sentence.empty()) {
       continue;
@@ -215,8 +193,8 @@ TEST_CASE("the parser and the grammar agree on sentences with one token changed"
     REQUIRE(front_end.accepted() == should_accept);
     ++(should_accept ? accepted : refused);
   }
-  CHECK(accepted > 1000);
-  CHECK(refused > 1000);
+  CHECK(accepted > 500);
+  CHECK(refused > 500);
 }
 
 }  // namespace mbcc
