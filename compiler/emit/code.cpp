@@ -13,7 +13,7 @@ namespace {
 using graph::Operator;
 
 std::string bound(const Code& code, Binding at_least) {
-  return code.binding < at_least ? "(" + code.text + ")" : code.text;
+  return code.binding < at_least ? fmt::format("({})", code.text) : code.text;
 }
 
 /// a op b, where b has to bind more tightly: a - (b - c).

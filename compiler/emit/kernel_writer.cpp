@@ -312,11 +312,13 @@ Naming make_naming(const model::System& system, const Program& program) {
   for (const model::Parameter& parameter : system.parameters) {
     naming.parameters.push_back(naming.scope.declare(parameter.name));
   }
-  for (const NodeId id : program.prepare.provides) {
-    naming.members.emplace(id, fmt::format("p{}_", naming.members.size() + 1));
-  }
-  for (const NodeId id : program.time.provides) {
-    naming.members.emplace(id, fmt::format("t{}_", naming.members.size() + 1 - program.prepare.provides.size()));
+  for (const Kernel* kernel : {&program.prepare, &program.time}) {
+    for (const NodeId id : kernel->provides) {
+      const auto named = program.names.find(id);
+      const std::string name = named != program.names.end() ? naming.scope.declare(named->second)
+                                                            : naming.scope.enumerate(kernel == &program.time ? "t" : "p");
+      naming.members.emplace(id, name + "_");
+    }
   }
   naming.keeps_time = program.keeps_time;
   return naming;

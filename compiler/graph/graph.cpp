@@ -15,7 +15,7 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
   for (const NodeId operand : node.operands) {
     mix(operand);
   }
-  return static_cast<std::size_t>(hash ^ (hash >> 32));
+  return hash ^ (hash >> 32);
 }
 
 /// Constants are compared by their bits: 0 and -0 are two, and a NaN is itself.

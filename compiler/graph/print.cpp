@@ -20,7 +20,7 @@ struct Text {
 };
 
 std::string bound(const Text& text, Binding at_least) {
-  return text.binding < at_least ? "(" + text.text + ")" : text.text;
+  return text.binding < at_least ? fmt::format("({})", text.text) : text.text;
 }
 
 Binding tighter(Binding binding) { return static_cast<Binding>(static_cast<int>(binding) + 1); }

@@ -18,7 +18,8 @@ class Lowering {
  public:
   Lowering(std::span<const graph::Expr> roots, graph::Graph& lowered);
 
-  /// `expression` must be one of the roots or needed by them.
+  /// Whether `expression` is one of the roots or needed by them; only then does it have a counterpart.
+  bool contains(graph::Expr expression) const { return images_.contains(expression.id()); }
   graph::NodeId operator()(graph::Expr expression) const { return images_.at(expression.id()).id(); }
 
  private:

@@ -20,7 +20,9 @@ class Scheduler {
  public:
   Scheduler(const Plan& plan, Program& program) : lowering_(plan.roots(), *program.graph), program_(program) {
     for (const auto& [value, name] : plan.names) {
-      program.names.try_emplace(lowering_(value), name);
+      if (lowering_.contains(value)) {
+        program.names.try_emplace(lowering_(value), name);
+      }
     }
   }
 

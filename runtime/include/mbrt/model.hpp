@@ -70,20 +70,35 @@ struct Description {
 /// start; then any number of `set_time(t)` and evaluations. Evaluations depend on the parameters, the time set, the
 /// state and the row scales, and on nothing else. None allocates.
 template <class M>
-concept Model = requires(M& model, const typename M::State& state, typename M::State& rate, double time,
-                         std::span<double> values, int island) {
+concept Model = requires(M& model, const typename M::State& state, typename M::State& rate, double time) {
   { model.description() } -> std::same_as<const Description&>;
   { model.parameters() } -> std::same_as<std::span<double>>;
   model.prepare();                                               // after a change of parameters
   { model.initial_state() } -> std::same_as<typename M::State>;  // the model's own start
   model.set_time(time);                                          // what depends on time alone
   model.rates(state, rate);                                      // rate = d state / dt
+};
+
+// What a model has beyond that depends on its scene: a scene without constraints has no islands, one without outputs
+// no function for them. `description()` tells which of the following there are.
+
+template <class M>
+concept HasConstraints = requires(M& model, const typename M::State& state, std::span<double> values, int island) {
   { model.island(island) } -> std::same_as<Island>;
   model.island_rows(island, state);  // fills island(k).rows at `state`
-  // Per constraint: value (0 where nonholonomic), its time derivative (where nonholonomic: value), and A u' - b.
-  model.constraint_errors(state, rate, values, values, values);
-  { model.energy(state) } -> std::same_as<double>;  // asked only where description().has_energy
-  model.outputs(state, rate, values);
+  // Per constraint: value (untouched where nonholonomic), its time derivative (there: its value), and A u' - b.
+  model.constraint_errors(state, state, values, values, values);
+};
+template <class M>
+concept HasEnergy = requires(M& model, const typename M::State& state) {
+  { model.energy(state) } -> std::same_as<double>;
+};
+template <class M>
+concept HasOutputs = requires(M& model, const typename M::State& state, std::span<double> values) {
+  model.outputs(state, state, values);
+};
+template <class M>
+concept HasForces = requires(M& model, const typename M::State& state, std::span<double> values) {
   model.applied_forces(state, values);  // one value per entry of description().forces
 };
 

@@ -49,29 +49,49 @@ class BoundModel final : public AnyModel {
     model_.rates(state_, rate_);
     give(rate_, rate);
   }
-  Island island(int index) override { return model_.island(index); }
-  void island_rows(int index, std::span<const double> state) override {
-    take(state, state_);
-    model_.island_rows(index, state_);
+  Island island([[maybe_unused]] int index) override {
+    if constexpr (HasConstraints<M>) {
+      return model_.island(index);
+    } else {
+      return {};
+    }
   }
-  void constraint_errors(std::span<const double> state, std::span<const double> rate, std::span<double> position,
-                         std::span<double> velocity, std::span<double> acceleration) override {
+  void island_rows([[maybe_unused]] int index, std::span<const double> state) override {
+    take(state, state_);
+    if constexpr (HasConstraints<M>) {
+      model_.island_rows(index, state_);
+    }
+  }
+  void constraint_errors(std::span<const double> state, std::span<const double> rate,
+                         [[maybe_unused]] std::span<double> position, [[maybe_unused]] std::span<double> velocity,
+                         [[maybe_unused]] std::span<double> acceleration) override {
     take(state, state_);
     take(rate, rate_);
-    model_.constraint_errors(state_, rate_, position, velocity, acceleration);
+    if constexpr (HasConstraints<M>) {
+      model_.constraint_errors(state_, rate_, position, velocity, acceleration);
+    }
   }
   double energy(std::span<const double> state) override {
     take(state, state_);
-    return model_.energy(state_);
+    if constexpr (HasEnergy<M>) {
+      return model_.energy(state_);
+    } else {
+      return 0;
+    }
   }
-  void outputs(std::span<const double> state, std::span<const double> rate, std::span<double> values) override {
+  void outputs(std::span<const double> state, std::span<const double> rate,
+               [[maybe_unused]] std::span<double> values) override {
     take(state, state_);
     take(rate, rate_);
-    model_.outputs(state_, rate_, values);
+    if constexpr (HasOutputs<M>) {
+      model_.outputs(state_, rate_, values);
+    }
   }
-  void applied_forces(std::span<const double> state, std::span<double> values) override {
+  void applied_forces(std::span<const double> state, [[maybe_unused]] std::span<double> values) override {
     take(state, state_);
-    model_.applied_forces(state_, values);
+    if constexpr (HasForces<M>) {
+      model_.applied_forces(state_, values);
+    }
   }
 
   void integrate(const TimeGrid& grid, std::span<double> state, Observer& observer) override {
