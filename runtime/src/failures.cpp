@@ -36,16 +36,35 @@ double size_of_terms(const IslandRows& rows, std::size_t row, std::span<const in
   return sum + std::abs(right_side);
 }
 
-/// The relative distance d of Note [contradiction], over all rows of an island.
-double drift(const Description& model, const IslandRows& rows, int k, const Extents& size,
-             const ConstraintErrors& errors) {
-  double largest = 0;
+/// |A_k u' - b_k| of each row of an island in parts of its terms.
+std::vector<double> relative_residuals(AnyModel& model, const Island& island, int k, std::span<const double> state,
+                                       std::span<const double> rate, std::span<const double> residuals) {
+  const Description& description = model.description();
+  const IslandEntry& entry = description.islands[static_cast<std::size_t>(k)];
+  const Extents size = extents(description, state);
+  const std::span<const double> acceleration = rate.subspan(description.coordinates.size());
+  model.island_rows(k, state);
+  std::vector<double> result;
+  for (std::size_t row = 0; row < entry.constraints.size(); ++row) {
+    const double residual = std::abs(residuals[static_cast<std::size_t>(entry.constraints[row])]);
+    result.push_back(residual == 0 ? 0 : residual / size_of_terms(island.rows, row, entry.speeds, acceleration, size));
+  }
+  return result;
+}
+
+/// The size of the smallest displacement that the rows of an island turn into `errors`, as far as they can.
+double displacement(AnyModel& model, const Island& island, int k, std::span<const double> state,
+                    std::span<const double> errors) {
+  model.island_rows(k, state);
   std::size_t row = 0;
-  for (const int constraint : model.islands[static_cast<std::size_t>(k)].constraints) {
-    const auto index = static_cast<std::size_t>(constraint);
-    const double norm = row_norm(rows, row++);
-    largest = std::max({largest, distance(errors.position[index], norm) / size.coordinates,
-                        distance(errors.velocity[index], norm) / size.speeds});
+  for (const int constraint : model.description().islands[static_cast<std::size_t>(k)].constraints) {
+    island.rows.residual[row++] = errors[static_cast<std::size_t>(constraint)];
+  }
+  std::vector<double> displaced(island.rows.mobility.size());
+  climb(island, displaced);
+  double largest = 0;
+  for (const double value : displaced) {
+    largest = std::max(largest, std::abs(value));
   }
   return largest;
 }
@@ -56,13 +75,13 @@ std::string explain_not_finite(AnyModel& model, const std::vector<Island>& islan
                                std::span<const double> state) {
   const Description& description = model.description();
   if (!all_finite(state)) {
-    return fmt::format("error: the motion grows without bound before t = {}", time);
+    return fmt::format("error: the motion grows without bound before t = {:.9g}", time);
   }
   std::vector<double> forces(description.forces.size());
   model.applied_forces(state, forces);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     if (!std::isfinite(forces[i])) {
-      return fmt::format("{}: error: the force `{}` is not a finite number at t = {}", description.forces[i].place,
+      return fmt::format("{}: error: {} is not a finite number at t = {:.9g}", description.forces[i].place,
                          description.forces[i].name, time);
     }
   }
@@ -74,44 +93,40 @@ std::string explain_not_finite(AnyModel& model, const std::vector<Island>& islan
       if (!std::isfinite(rows.residual[row]) || !all_finite(rows.matrix.subspan(row * columns, columns))) {
         const auto index = static_cast<std::size_t>(description.islands[k].constraints[row]);
         const ConstraintEntry& entry = description.constraints[index];
-        return fmt::format("{}: error: the derivatives of constraint `{}` are not finite numbers at t = {}",
+        return fmt::format("{}: error: the derivatives of constraint `{}` are not finite numbers at t = {:.9g}",
                            entry.place, entry.name, time);
       }
     }
   }
-  return fmt::format("error: the acceleration is not a finite number at t = {}", time);
+  return fmt::format("error: the acceleration is not a finite number at t = {:.9g}", time);
 }
 
 std::string find_contradiction(AnyModel& model, const Island& island, int k, double time, std::span<const double> state,
                                std::span<const double> rate, const ConstraintErrors& errors) {
   constexpr double rounding = 1e-6;
   constexpr double degree = 10;
-  constexpr double beyond_doubt = 0.1;
-  const Description& description = model.description();
-  const IslandEntry& entry = description.islands[static_cast<std::size_t>(k)];
-  const Extents size = extents(description, state);
-  model.island_rows(k, state);
-  const double threshold =
-      std::clamp(degree * drift(description, island.rows, k, size, errors), rounding, beyond_doubt);
-  std::string names, place;
-  double worst = 0;
-  for (std::size_t row = 0; row < entry.constraints.size(); ++row) {
-    const auto index = static_cast<std::size_t>(entry.constraints[row]);
-    const double terms =
-        size_of_terms(island.rows, row, entry.speeds, rate.subspan(description.coordinates.size()), size);
-    const double residual = std::abs(errors.acceleration[index]);
-    if (residual > threshold * terms) {
-      const ConstraintEntry& constraint = description.constraints[index];
-      place = place.empty() ? constraint.place : place;
-      names += fmt::format("{}`{}` ({})", names.empty() ? "" : ", ", constraint.name, constraint.place);
-      worst = std::max(worst, residual);
-    }
-  }
-  if (names.empty()) {
+  const std::vector<double> residuals = relative_residuals(model, island, k, state, rate, errors.acceleration);
+  if (*std::max_element(residuals.begin(), residuals.end()) <= rounding) {
     return {};
   }
-  return fmt::format("{}: error: no acceleration satisfies these constraints together at t = {}: {}; residual {:.3g}",
-                     place, time, names, worst);
+  const Description& description = model.description();
+  const Extents size = extents(description, state);
+  const double drift = std::max(displacement(model, island, k, state, errors.position) / size.coordinates,
+                                displacement(model, island, k, state, errors.velocity) / size.speeds);
+  std::string names, place;
+  for (std::size_t row = 0; row < residuals.size(); ++row) {
+    if (residuals[row] > std::max(rounding, degree * drift)) {
+      const auto index = static_cast<std::size_t>(description.islands[static_cast<std::size_t>(k)].constraints[row]);
+      const ConstraintEntry& constraint = description.constraints[index];
+      place = place.empty() ? constraint.place : place;
+      names += fmt::format("{}`{}` ({}, residual {:.3g})", names.empty() ? "" : ", ", constraint.name, constraint.place,
+                           errors.acceleration[index]);
+    }
+  }
+  return names.empty()
+             ? names
+             : fmt::format("{}: error: no acceleration satisfies these constraints together at t = {:.9g}: {}", place,
+                           time, names);
 }
 
 }  // namespace mbrt

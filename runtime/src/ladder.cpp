@@ -6,9 +6,9 @@
 #include <Eigen/Householder>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mbrt/island.hpp"
-#include "mbrt/math.hpp"
 
 namespace mbrt {
 namespace {
@@ -191,7 +191,7 @@ void climb(const Island& island, std::span<double> added) {
     r(i) *= scale;
     b.row(i).array() *= scale * root.transpose().array();
   }
-  if (!all_finite(island.rows.matrix) || !all_finite(island.rows.residual)) {
+  if (!std::isfinite(b.squaredNorm() + r.squaredNorm())) {
     w.setConstant(std::numeric_limits<double>::quiet_NaN());  // for the monitors to find, not for the cut-off to drop
     return;
   }

@@ -83,6 +83,7 @@ std::string Monitor::watch_rank(double time, std::span<const double> state, std:
       }
     }
     if (rank < static_cast<int>(islands_[k].scale.size())) {
+      const Untraced untraced(islands_);
       std::string contradiction = find_contradiction(model_, islands_[k], static_cast<int>(k), time, state, rate,
                                                      {position_, velocity_, acceleration_});
       if (!contradiction.empty()) {

@@ -18,6 +18,11 @@ struct UsageError {
   std::string message;
 };
 
+std::string guess_at(std::string_view name, std::span<const std::string_view> candidates) {
+  const std::string_view guess = closest(name, candidates);
+  return guess.empty() ? "" : fmt::format(", did you mean `{}`", guess);
+}
+
 /// The line as typed, before it is checked against the model.
 struct Typed {
   Options options;
@@ -47,6 +52,14 @@ double positive(std::string_view text, std::string_view flag) {
   return value;
 }
 
+long positive_integer(std::string_view text, std::string_view flag) {
+  const double value = positive(text, flag);
+  if (value != std::floor(value) || value > 1e9) {
+    throw UsageError{fmt::format("`{}` in `{}` is not a number of times", text, flag)};
+  }
+  return static_cast<long>(value);
+}
+
 /// NAME=VALUE pairs as indices into `names`.
 std::vector<Assignment> assignments(const std::vector<std::string>& texts, std::string_view flag, std::string_view kind,
                                     std::span<const std::string_view> names) {
@@ -59,9 +72,7 @@ std::vector<Assignment> assignments(const std::vector<std::string>& texts, std::
     const std::string_view name = std::string_view(text).substr(0, equals);
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-      const std::string_view guess = closest(name, names);
-      throw UsageError{fmt::format("the model has no {} `{}`{}", kind, name,
-                                   guess.empty() ? "" : fmt::format(", did you mean `{}`", guess))};
+      throw UsageError{fmt::format("the model has no {} `{}`{}", kind, name, guess_at(name, names))};
     }
     const auto index = static_cast<std::size_t>(found - names.begin());
     for (const Assignment& earlier : result) {
@@ -81,7 +92,7 @@ std::string or_default(const char* text, double value) {
 void add_flags(CLI::App& app, const Description& model, Typed& typed) {
   const Defaults& defaults = model.defaults;
   Options& options = typed.options;
-  const auto number = [&app](const char* flag, const std::string& help, double& target, auto check) {
+  const auto number = [&app](const char* flag, const std::string& help, auto& target, auto check) {
     app.add_option_function<std::string>(
            flag, [&target, flag, check](const std::string& text) { target = check(text, flag); }, help)
         ->type_name("NUMBER");
@@ -112,9 +123,20 @@ void add_flags(CLI::App& app, const Description& model, Typed& typed) {
   app.add_option("--summary", options.summary, "write what the run found to this file, as JSON")->type_name("FILE");
   app.add_flag("--quiet", options.quiet, "no summary on standard output");
   app.add_flag("--progress", options.progress, "show on standard error how far the run is");
-  app.add_option("--repeat", options.repeat, "then integrate N times unobserved and report the fastest")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
+  number("--repeat", "then integrate this often unobserved and report the fastest", options.repeat, positive_integer);
+}
+
+void refuse_unknown(const CLI::App& app) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (unknown.empty()) {
+    return;
+  }
+  std::vector<std::string> flags;
+  for (const CLI::Option* const option : app.get_options()) {
+    flags.push_back("--" + option->get_single_name());
+  }
+  const std::vector<std::string_view> candidates(flags.begin(), flags.end());
+  throw UsageError{fmt::format("there is no flag `{}`{}", unknown.front(), guess_at(unknown.front(), candidates))};
 }
 
 void check_method(const Typed& typed) {
@@ -194,13 +216,19 @@ Typed defaults_of(const Description& model) {
 std::variant<Options, ExitCode> read_command_line(const Description& model, int argc, char** argv) {
   Typed typed = defaults_of(model);
   CLI::App app(fmt::format("simulates {} (mbcc {})", model.model, model.mbcc_version));
+  app.allow_extras();
   add_flags(app, model, typed);
   try {
     app.parse(argc, argv);
+    refuse_unknown(app);
     return checked(model, std::move(typed));
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", app.help());
     return ExitFine;
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string_view text = error.what();
+    fmt::print(stderr, "error: `{}` {}\n", text.substr(0, text.find(':')),
+               text.ends_with("missing") ? "needs a value" : "is given more than once");
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
   } catch (const UsageError& error) {

@@ -106,19 +106,28 @@ void append_constraints(std::string& text, const Description& model, const Findi
   }
 }
 
+/// "`a`, `b`, `c` and 7 more".
+std::string names_of(const Description& model, std::span<const int> constraints) {
+  constexpr std::size_t most_names = 3;
+  std::string text;
+  for (const int constraint : constraints.first(std::min(most_names, constraints.size()))) {
+    text +=
+        fmt::format("{}`{}`", text.empty() ? "" : ", ", model.constraints[static_cast<std::size_t>(constraint)].name);
+  }
+  return constraints.size() > most_names ? fmt::format("{} and {} more", text, constraints.size() - most_names) : text;
+}
+
 void append_rank_events(std::string& text, const Description& model, const Findings& findings) {
-  constexpr std::size_t most_lines = 10;
+  constexpr long most_lines = 10;
   const auto out = std::back_inserter(text);
-  for (std::size_t i = 0; i < std::min(most_lines, findings.rank_events.size()); ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(most_lines, findings.rank_events.size()); ++i) {
     const RankEvent& event = findings.rank_events[i];
     const auto constraints = model.islands[event.island].constraints;
-    const char* const first = model.constraints[static_cast<std::size_t>(constraints.front())].name;
-    const char* const last = model.constraints[static_cast<std::size_t>(constraints.back())].name;
-    fmt::format_to(out, "  rank {} of {} from t = {}: constraints `{}` to `{}`\n", event.rank, constraints.size(),
-                   event.time, first, last);
+    fmt::format_to(out, "  rank {} of {} from t = {:.9g}: {}\n", event.rank, constraints.size(), event.time,
+                   names_of(model, constraints));
   }
-  if (findings.rank_changes > static_cast<long>(most_lines)) {
-    fmt::format_to(out, "  and {} more changes of rank\n", findings.rank_changes - static_cast<long>(most_lines));
+  if (findings.rank_changes > most_lines) {
+    fmt::format_to(out, "  and {} more changes of rank\n", findings.rank_changes - most_lines);
   }
 }
 
@@ -153,9 +162,9 @@ std::string summary_json(const Description& model, const Outcome& outcome) {
 
 std::string summary_text(const Description& model, const Options& options, const Outcome& outcome) {
   const Findings& findings = outcome.findings;
-  std::string text = fmt::format("{}: {}, rk4, {} steps of {} from t = {} to {} in {:.3g} s\n", model.model,
+  std::string text = fmt::format("{}: {}, rk4, {} steps of {} from t = {} to {:.9g} in {:.3g} s{}\n", model.model,
                                  status_name(outcome.status), outcome.steps, options.step, options.from, outcome.time,
-                                 outcome.wall_seconds);
+                                 outcome.wall_seconds, outcome.monitored ? "" : " unobserved");
   if (!findings.constraints.empty()) {
     append_constraints(text, model, findings);
     append_rank_events(text, model, findings);
