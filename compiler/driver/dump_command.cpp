@@ -19,8 +19,8 @@ struct NamedStage {
   std::string_view name;
   Stage stage;
 };
-constexpr std::array stages = {NamedStage{"tokens", Stage::Tokens},       NamedStage{"syntax", Stage::Syntax},
-                               NamedStage{"system", Stage::System},       NamedStage{"equations", Stage::Equations},
+constexpr std::array stages = {NamedStage{"tokens", Stage::Tokens},           NamedStage{"syntax", Stage::Syntax},
+                               NamedStage{"system", Stage::System},           NamedStage{"equations", Stage::Equations},
                                NamedStage{"derivatives", Stage::Derivatives}, NamedStage{"program", Stage::Program}};
 
 std::string print_stage(const Compilation& compilation, Stage stage, bool partials) {
@@ -48,7 +48,8 @@ int dump_command(const ModelArguments& arguments, const std::string& stage, bool
   const auto* const found =
       std::find_if(stages.begin(), stages.end(), [&](const NamedStage& candidate) { return candidate.name == stage; });
   if (found == stages.end()) {
-    return refuse(fmt::format("there is no stage `{}`: tokens, syntax, system, equations, derivatives, program", stage));
+    return refuse(
+        fmt::format("there is no stage `{}`: tokens, syntax, system, equations, derivatives, program", stage));
   }
   if (partials && found->stage != Stage::Derivatives) {
     return refuse("`--partials` goes with `--stage=derivatives`");

@@ -102,8 +102,7 @@ struct Topic {
   std::string (*text)();
 };
 constexpr std::array topics = {Topic{"", [] { return std::string(overview); }},
-                               Topic{"language", [] { return std::string(language); }},
-                               Topic{"functions", functions},
+                               Topic{"language", [] { return std::string(language); }}, Topic{"functions", functions},
                                Topic{"run", [] { return std::string(run); }},
                                Topic{"exit", [] { return std::string(exit_codes); }}};
 

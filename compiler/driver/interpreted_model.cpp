@@ -16,8 +16,7 @@ using program::Target;
 
 static_assert(interface_version == mbrt::interface_version);
 
-InterpretedModel::InterpretedModel(const program::Program& program, const model::System& system,
-                                   const Sources& sources)
+InterpretedModel::InterpretedModel(const program::Program& program, const model::System& system, const Sources& sources)
     : program_(program), coordinates_(system.coordinates.size()), values_(program.graph->size()) {
   for (NodeId id = 0; id < values_.size(); ++id) {
     const Node& node = (*program.graph)[id];
@@ -92,9 +91,9 @@ void InterpretedModel::describe(const model::System& system, const Sources& sour
     island_entries_.push_back({as_ints(island.constraints), as_ints(island.speeds)});
   }
   const model::Integration& given = system.integration;
-  const mbrt::Defaults defaults{given.from.value_or(mbrt::not_given),      given.to.value_or(mbrt::not_given),
-                                given.step.value_or(mbrt::not_given),      given.tolerance.value_or(mbrt::not_given),
-                                given.every.value_or(mbrt::not_given),     given.method ? keep(*given.method) : nullptr};
+  const mbrt::Defaults defaults{given.from.value_or(mbrt::not_given),  given.to.value_or(mbrt::not_given),
+                                given.step.value_or(mbrt::not_given),  given.tolerance.value_or(mbrt::not_given),
+                                given.every.value_or(mbrt::not_given), given.method ? keep(*given.method) : nullptr};
   description_ = {keep(system.name),
                   keep(std::string(version)),
                   coordinate_names_,
@@ -177,13 +176,13 @@ void InterpretedModel::rates(const State& y, State& rate) {
 void InterpretedModel::solve(const program::IslandSolve& island, const State& y, State& rate) {
   IslandArrays& arrays = islands_[island.island];
   execute(island.prepare);
-  const bool holds = !island.always_climbs &&
-                     std::all_of(island.guards.begin(), island.guards.end(), [&](const program::Guard& guard) {
-                       const double pivot = values_[guard.pivot];
-                       const double floor = arrays.floor[guard.row];
-                       return guard.pivot == guard.diagonal ? pivot >= floor
-                                                            : mbrt::holds(pivot, values_[guard.diagonal], floor);
-                     });
+  const bool holds =
+      !island.always_climbs &&
+      std::all_of(island.guards.begin(), island.guards.end(), [&](const program::Guard& guard) {
+        const double pivot = values_[guard.pivot];
+        const double floor = arrays.floor[guard.row];
+        return guard.pivot == guard.diagonal ? pivot >= floor : mbrt::holds(pivot, values_[guard.diagonal], floor);
+      });
   if (holds) {
     execute(island.solve);
     for (const Store& store : island.solve.stores) {

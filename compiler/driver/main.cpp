@@ -143,7 +143,8 @@ constexpr std::array commands = {Command{"run", run_main},       Command{"check"
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) {
-    return refuse("which model? `mbcc MODEL.mbd -o SIM.cpp` compiles one, `mbcc run MODEL.mbd` runs it; see `mbcc --help`");
+    return refuse(
+        "which model? `mbcc MODEL.mbd -o SIM.cpp` compiles one, `mbcc run MODEL.mbd` runs it; see `mbcc --help`");
   }
   if (words.front() == "--version") {
     fmt::print("mbcc {}\n", version);

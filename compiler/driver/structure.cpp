@@ -49,11 +49,11 @@ class StructurePrinter {
   }
 
   void totals() {
-    const auto holonomic = static_cast<std::size_t>(std::count_if(
-        system_.constraints.begin(), system_.constraints.end(), [](const auto& constraint) { return constraint.holonomic; }));
+    const auto holonomic =
+        static_cast<std::size_t>(std::count_if(system_.constraints.begin(), system_.constraints.end(),
+                                               [](const auto& constraint) { return constraint.holonomic; }));
     text_ += fmt::format("{}: {}, {}, {} of freedom\n", system_.name, count(system_.coordinates.size(), "coordinate"),
-                         count(system_.speeds.size(), "speed"),
-                         count(system_.speeds.size() - rank(), "degree"));
+                         count(system_.speeds.size(), "speed"), count(system_.speeds.size() - rank(), "degree"));
     text_ += fmt::format("{}: {} holonomic, {} nonholonomic; rank {} at the start\n",
                          count(system_.constraints.size(), "constraint"), holonomic,
                          system_.constraints.size() - holonomic, rank());
@@ -77,8 +77,8 @@ class StructurePrinter {
       for (const mechanics::Entry& entry : row.entries) {
         names.push_back(system_.speeds[entry.speed].name);
       }
-      text_ += fmt::format("  {} ({}) joins {}\n", constraint(k), system_.constraints[k].holonomic ? "holonomic" : "nonholonomic",
-                           list(names));
+      text_ += fmt::format("  {} ({}) joins {}\n", constraint(k),
+                           system_.constraints[k].holonomic ? "holonomic" : "nonholonomic", list(names));
     }
   }
 

@@ -28,15 +28,13 @@ std::string difference(const Lines& old_lines, const Lines& new_lines) {
   constexpr std::ptrdiff_t context = 3;
   const auto [old_first, new_first] =
       std::mismatch(old_lines.begin(), old_lines.end(), new_lines.begin(), new_lines.end());
-  const auto [old_last, new_last] =
-      std::mismatch(old_lines.rbegin(), std::make_reverse_iterator(old_first), new_lines.rbegin(),
-                    std::make_reverse_iterator(new_first));
+  const auto [old_last, new_last] = std::mismatch(old_lines.rbegin(), std::make_reverse_iterator(old_first),
+                                                  new_lines.rbegin(), std::make_reverse_iterator(new_first));
   const auto before = std::min<std::ptrdiff_t>(context, old_first - old_lines.begin());
   const auto after = std::min<std::ptrdiff_t>(context, old_last - old_lines.rbegin());
-  std::string text = fmt::format("@@ -{},{} +{},{} @@\n", old_first - old_lines.begin() - before + 1,
-                                 old_last.base() - old_first + before + after,
-                                 new_first - new_lines.begin() - before + 1,
-                                 new_last.base() - new_first + before + after);
+  std::string text = fmt::format(
+      "@@ -{},{} +{},{} @@\n", old_first - old_lines.begin() - before + 1, old_last.base() - old_first + before + after,
+      new_first - new_lines.begin() - before + 1, new_last.base() - new_first + before + after);
   const auto append = [&text](char mark, auto begin, auto end) {
     for (auto line = begin; line != end; ++line) {
       text += fmt::format("{}{}\n", mark, *line);

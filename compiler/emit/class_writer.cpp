@@ -158,12 +158,13 @@ std::string ClassWriter::constraint_errors() const {
   const Body errors = body(program_.constraint_errors);
   const bool any_holonomic = std::any_of(system_.constraints.begin(), system_.constraints.end(),
                                          [](const model::Constraint& constraint) { return constraint.holonomic; });
-  return function("Errors of the constraints: value (where holonomic), its rate (else the value), and A u' - b.",
-                  fmt::format("void constraint_errors(const State& {}, const State& {}, std::span<double> {},\n"
-                              "                       std::span<double> velocity, std::span<double> acceleration) const",
-                              argument("y", errors.reads_state), argument("rate", errors.reads_rate),
-                              argument("position", any_holonomic)),
-                  errors.text);
+  return function(
+      "Errors of the constraints: value (where holonomic), its rate (else the value), and A u' - b.",
+      fmt::format("void constraint_errors(const State& {}, const State& {}, std::span<double> {},\n"
+                  "                       std::span<double> velocity, std::span<double> acceleration) const",
+                  argument("y", errors.reads_state), argument("rate", errors.reads_rate),
+                  argument("position", any_holonomic)),
+      errors.text);
 }
 
 std::string ClassWriter::energy() const {
@@ -206,7 +207,8 @@ std::string ClassWriter::island_members(std::size_t island) const {
       "  mbrt::climb(island, added);\n",
       number, speeds.size());
   for (std::size_t j = 0; j < speeds.size(); ++j) {
-    text += fmt::format("  rate[{0}] = island.rows.free[{1}] + added[{1}];\n", system_.coordinates.size() + speeds[j], j);
+    text +=
+        fmt::format("  rate[{0}] = island.rows.free[{1}] + added[{1}];\n", system_.coordinates.size() + speeds[j], j);
   }
   return text + "}\n\n";
 }

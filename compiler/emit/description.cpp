@@ -89,9 +89,10 @@ std::string write_description(const program::Program& program, const model::Syst
   text += table("mbrt::ParameterEntry", "parameters", texts(system.parameters, [](const model::Parameter& parameter) {
                   return fmt::format("{{{}, {}}}", quote(parameter.name), literal(parameter.value).text);
                 }));
-  text += table("mbrt::ConstraintEntry", "constraints", texts(system.constraints, [&](const model::Constraint& item) {
-                  return fmt::format("{{{}, {}, {}}}", quote(item.name), quote(sources.place(item.span)), item.holonomic);
-                }));
+  text +=
+      table("mbrt::ConstraintEntry", "constraints", texts(system.constraints, [&](const model::Constraint& item) {
+              return fmt::format("{{{}, {}, {}}}", quote(item.name), quote(sources.place(item.span)), item.holonomic);
+            }));
   text += table("mbrt::ForceEntry", "forces", texts(system.forces, [&](const model::Force& force) {
                   return fmt::format("{{{}, {}}}", quote(force.name), quote(sources.place(force.span)));
                 }));

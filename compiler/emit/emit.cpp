@@ -35,16 +35,16 @@ std::string emit(const program::Program& program, const model::System& system, c
   const ClassWriter writer(program, system, sources);
   const std::string& model_file = sources[0].name();
   const std::string name_space = mangle(stem_of(model_file));
-  const std::string model_class = fill(template_text("model_class.in"),
-                                       {{"namespace", name_space},
-                                        {"summary", writer.summary()},
-                                        {"interface_version", std::to_string(interface_version)},
-                                        {"coordinates", std::to_string(system.coordinates.size())},
-                                        {"speeds", std::to_string(system.speeds.size())},
-                                        {"constraints", std::to_string(system.constraints.size())},
-                                        {"description", write_description(program, system, sources)},
-                                        {"functions", writer.functions()},
-                                        {"members", writer.members()}});
+  const std::string model_class =
+      fill(template_text("model_class.in"), {{"namespace", name_space},
+                                             {"summary", writer.summary()},
+                                             {"interface_version", std::to_string(interface_version)},
+                                             {"coordinates", std::to_string(system.coordinates.size())},
+                                             {"speeds", std::to_string(system.speeds.size())},
+                                             {"constraints", std::to_string(system.constraints.size())},
+                                             {"description", write_description(program, system, sources)},
+                                             {"functions", writer.functions()},
+                                             {"members", writer.members()}});
   Values values{{"file", comment_text(generated_file_name(model_file, options))},
                 {"version", std::string(version)},
                 {"source", comment_text(base_name(model_file))},

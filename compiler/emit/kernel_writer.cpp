@@ -189,9 +189,8 @@ class KernelWriter {
     }
     for (const Store& store : section.stores) {
       const std::string value = text_of(store.value).text;
-      body_.text += store.target == Target::Energy
-                        ? fmt::format("{}return {};\n", indentation, value)
-                        : fmt::format("{}{} = {};\n", indentation, place_of(store), value);
+      body_.text += store.target == Target::Energy ? fmt::format("{}return {};\n", indentation, value)
+                                                   : fmt::format("{}{} = {};\n", indentation, place_of(store), value);
     }
   }
 
@@ -211,10 +210,9 @@ class KernelWriter {
     for (const program::Guard& guard : island.guards) {
       condition += condition.empty() ? "" : " &&\n    ";
       const std::string floor = fmt::format("island_{}_.floor({})", number, guard.row);
-      condition += guard.diagonal == guard.pivot
-                       ? fmt::format("{} >= {}", text_of(guard.pivot).text, floor)
-                       : fmt::format("mbrt::holds({}, {}, {})", text_of(guard.pivot).text,
-                                     text_of(guard.diagonal).text, floor);
+      condition += guard.diagonal == guard.pivot ? fmt::format("{} >= {}", text_of(guard.pivot).text, floor)
+                                                 : fmt::format("mbrt::holds({}, {}, {})", text_of(guard.pivot).text,
+                                                               text_of(guard.diagonal).text, floor);
     }
     body_.text += "if (" + condition + ") [[likely]] {\n";
     write_section(island.solve, "  ");
@@ -315,8 +313,9 @@ Naming make_naming(const model::System& system, const Program& program) {
   for (const Kernel* kernel : {&program.prepare, &program.time}) {
     for (const NodeId id : kernel->provides) {
       const auto named = program.names.find(id);
-      const std::string name = named != program.names.end() ? naming.scope.declare(named->second)
-                                                            : naming.scope.enumerate(kernel == &program.time ? "t" : "p");
+      const std::string name = named != program.names.end()
+                                   ? naming.scope.declare(named->second)
+                                   : naming.scope.enumerate(kernel == &program.time ? "t" : "p");
       naming.members.emplace(id, name + "_");
     }
   }

@@ -28,7 +28,7 @@ std::string indented(std::string_view block, std::string_view indentation) {
 std::string_view place_at(std::string_view text) {
   const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", 1);
   return text.front() == '@' && end != std::string_view::npos && end > 1 && text[end] == '@' ? text.substr(1, end - 1)
-                                                                                            : std::string_view{};
+                                                                                             : std::string_view{};
 }
 
 }  // namespace

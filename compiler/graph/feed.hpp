@@ -39,7 +39,9 @@ class Feed {
 #define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
   inline Feed function(const Feed& a, const Feed& b) { return Feed::chain(Operator::name, {&a, &b, nullptr}); }
 #define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
-  inline Feed function(const Feed& a, const Feed& b, const Feed& c) { return Feed::chain(Operator::name, {&a, &b, &c}); }
+  inline Feed function(const Feed& a, const Feed& b, const Feed& c) {             \
+    return Feed::chain(Operator::name, {&a, &b, &c});                             \
+  }
 #include "graph/operators.def"
 
 }  // namespace mbcc::graph

@@ -52,7 +52,7 @@ template <PlainNumber T> T select(const T& a, const T& b, const T& c) { return a
 }  // namespace mbcc::graph
 
 /// Makes the elementary functions of plain numbers visible beside the ones that argument-dependent lookup finds.
-#define MBCC_USING_ELEMENTARY_FUNCTIONS                                                                           \
-  using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atan2, std::atanh, std::cos,      \
-      std::cosh, std::exp, std::hypot, std::log, std::log10, std::pow, std::sin, std::sinh, std::sqrt, std::tan,  \
+#define MBCC_USING_ELEMENTARY_FUNCTIONS                                                                          \
+  using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atan2, std::atanh, std::cos,     \
+      std::cosh, std::exp, std::hypot, std::log, std::log10, std::pow, std::sin, std::sinh, std::sqrt, std::tan, \
       std::tanh

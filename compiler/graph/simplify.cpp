@@ -1,10 +1,12 @@
 // Note [folding]: what Graph::apply does to an expression beyond making it exist once.
 //
 // * Constants fold when the result is finite; 1/0 stays and is reported where it is evaluated.
-// * Numeric factors move to the front and merge: (2 x)(3 y) = 6 (x y), 2 x + 2 y = 2 (x + y), x + x = 2 x, x / 4 = 0.25 x.
+// * Numeric factors move to the front and merge: (2 x)(3 y) = 6 (x y), 2 x + 2 y = 2 (x + y), x + x = 2 x, x / 4 = 0.25
+// x.
 //   This may change the last digit of a result (as any other way of writing it would), and lets A, b and the
 //   constraint itself share x y, x + y and so on.
-// * x + 0, x - 0, 1 x, x / 1, x^1, -(-x), x - x = 0, 0 x = 0, x^0 = 1. The last three lose an infinity or a NaN that x may be:
+// * x + 0, x - 0, 1 x, x / 1, x^1, -(-x), x - x = 0, 0 x = 0, x^0 = 1. The last three lose an infinity or a NaN that x
+// may be:
 //   a factor of zero says that the scene does not need x.
 // * x x = x^2, so that squares exist once however they are written; (-x)^2 = x^2. (Program turns integer powers
 //   into multiplications.)
@@ -46,9 +48,7 @@ Scaled split(Expr x) {
   return {1, x};
 }
 
-Expr ordered(Operator op, Expr a, Expr b) {
-  return a.graph().intern(op, b < a ? std::array{b, a} : std::array{a, b});
-}
+Expr ordered(Operator op, Expr a, Expr b) { return a.graph().intern(op, b < a ? std::array{b, a} : std::array{a, b}); }
 
 /// factor * rest, where rest has no numeric factor of its own.
 Expr scale(double factor, Expr rest) {
@@ -126,8 +126,7 @@ Expr fold_product(Expr a, Expr b) {
   const Scaled right = split(b);
   const double factor = left.factor * right.factor;
   if (factor == 0 || !std::isfinite(factor)) {
-    return factor == 0 && (left.factor == 0 || right.factor == 0) ? number(a, 0)
-                                                                  : ordered(Operator::Multiply, a, b);
+    return factor == 0 && (left.factor == 0 || right.factor == 0) ? number(a, 0) : ordered(Operator::Multiply, a, b);
   }
   if (left.rest.is_constant(1) || right.rest.is_constant(1)) {
     return scale(factor, left.rest.is_constant(1) ? right.rest : left.rest);

@@ -56,6 +56,7 @@ bool clearly_independent(const MatrixXd& rows) {
 
 std::vector<Dependence> find_dependences(const Island& island, const Derivatives& derivatives, const Point& point) {
   std::vector<std::size_t> rows = island.rows;
+  rows.insert(rows.end(), island.held.begin(), island.held.end());
   std::sort(rows.begin(), rows.end());
   const ScaledRows scaled = scaled_rows(rows, island, derivatives, point);
   std::vector<Dependence> dependences;

@@ -17,8 +17,9 @@ struct Dependence {
   std::vector<std::pair<std::size_t, double>> on;  ///< nonzero coefficients by row
 };
 
-/// Rows are taken in the order of the model, so that it is the later one of two equal rows that depends on the
-/// earlier. Rows are scaled to size 1 first; a row that is zero depends on nothing and is listed with empty `on`.
+/// All rows of the island, the held ones too, are taken in the order of the model, so that it is the later one of two
+/// equal rows that depends on the earlier. Rows are scaled to size 1 first; a row that is zero depends on nothing and
+/// is listed with empty `on`.
 std::vector<Dependence> find_dependences(const Island& island, const Derivatives& derivatives, const Point& point);
 
 }  // namespace mbcc::mechanics

@@ -16,7 +16,8 @@ struct Entry {
   Expr value;
 };
 
-/// One constraint, differentiated until the accelerations appear linearly: A_k u' = b_k (paper.md, Udwadia and Kalaba 1992).
+/// One constraint, differentiated until the accelerations appear linearly: A_k u' = b_k (paper.md, Udwadia and Kalaba
+/// 1992).
 struct Row {
   std::size_t constraint;
   std::vector<Entry> entries;  ///< by increasing speed
@@ -29,6 +30,7 @@ struct Row {
 /// Rows and speeds that have to be solved together: a connected component of the graph that A makes of the speeds.
 struct Island {
   std::vector<std::size_t> rows;    ///< in elimination order
+  std::vector<std::size_t> held;    ///< rows that the others imply: Note [held rows] in redundancy.hpp
   std::vector<std::size_t> speeds;  ///< increasing
 };
 

@@ -3,6 +3,7 @@
 #include "graph/dual.hpp"
 #include "mechanics/derivatives.hpp"
 #include "mechanics/islands.hpp"
+#include "mechanics/redundancy.hpp"
 
 namespace mbcc::mechanics {
 
@@ -124,6 +125,13 @@ Derivatives differentiate(const model::System& system, const Equations& equation
     derivatives.rows.push_back(differentiate_constraint(system, equations, k, derivatives.free));
   }
   derivatives.islands = find_islands(derivatives.rows, system.speeds.size());
+  for (Island& island : derivatives.islands) {
+    island.held = find_implied_rows(island, system, equations, derivatives);
+    std::erase_if(island.rows, [&](std::size_t row) {
+      return std::find(island.held.begin(), island.held.end(), row) != island.held.end();
+    });
+    island.rows = elimination_order(derivatives.rows, island.rows);
+  }
   derivatives.energy = energy_of(system, equations, forces, graph);
   return derivatives;
 }

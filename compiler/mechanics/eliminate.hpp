@@ -16,10 +16,10 @@ struct Pivot {
 };
 
 struct Elimination {
-  std::vector<Pivot> pivots;             ///< in elimination order
-  std::vector<Expr> forward;             ///< y of L y = r, in elimination order
-  std::vector<Expr> multipliers;         ///< z of S z = r, in elimination order
-  std::vector<Expr> added;               ///< c = M^-1 A^T z per speed of the island
+  std::vector<Pivot> pivots;      ///< in elimination order
+  std::vector<Expr> forward;      ///< y of L y = r, in elimination order
+  std::vector<Expr> multipliers;  ///< z of S z = r, in elimination order
+  std::vector<Expr> added;        ///< c = M^-1 A^T z per speed of the island
 };
 
 Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph);

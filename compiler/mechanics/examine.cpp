@@ -47,14 +47,14 @@ class Examiner {
     std::vector<bool> contradicting(rows_.size());
     for (const Island& island : derivatives_.islands) {
       const std::vector<Dependence> dependences = find_dependences(island, derivatives_, start_);
-      found.ranks.push_back(island.rows.size() - dependences.size());
+      const std::size_t rows = island.rows.size() + island.held.size();
+      found.ranks.push_back(rows - dependences.size());
       for (const Dependence& dependence : dependences) {
         found.redundant.push_back(dependence.row);
         contradicting[dependence.row] = check_contradiction(dependence);
         if (!contradicting[dependence.row]) {
           const model::Constraint& constraint = system_.constraints[dependence.row];
-          diagnostics_.report(Finding::RedundantConstraint, constraint.span, constraint.name, found.ranks.back(),
-                              island.rows.size());
+          diagnostics_.report(Finding::RedundantConstraint, constraint.span, constraint.name, found.ranks.back(), rows);
         }
       }
     }

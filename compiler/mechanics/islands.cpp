@@ -27,35 +27,6 @@ class Components {
   std::vector<std::size_t> parents_;
 };
 
-/// `rows` in an order of approximate minimum degree of the pattern of A M^-1 A^T.
-std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows) {
-  std::map<std::size_t, std::vector<int>> rows_of_speed;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const Entry& entry : all_rows[rows[k]].entries) {
-      rows_of_speed[entry.speed].push_back(static_cast<int>(k));
-    }
-  }
-  std::vector<Eigen::Triplet<double>> pattern;
-  for (const auto& [speed, sharing] : rows_of_speed) {
-    for (const int k : sharing) {
-      for (const int l : sharing) {
-        pattern.emplace_back(k, l, 1.0);
-      }
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(rows.size());
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(pattern.begin(), pattern.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  Eigen::AMDOrdering<int>()(matrix, permutation);
-
-  std::vector<std::size_t> ordered;
-  for (Eigen::Index k = 0; k < size; ++k) {
-    ordered.push_back(rows[static_cast<std::size_t>(permutation.indices()[k])]);
-  }
-  return ordered;
-}
-
 }  // namespace
 
 std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speeds) {
@@ -83,10 +54,35 @@ std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speed
       islands[found->second].speeds.push_back(j);
     }
   }
-  for (Island& island : islands) {
-    island.rows = elimination_order(rows, island.rows);
-  }
   return islands;
+}
+
+std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows) {
+  std::map<std::size_t, std::vector<int>> rows_of_speed;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const Entry& entry : all_rows[rows[k]].entries) {
+      rows_of_speed[entry.speed].push_back(static_cast<int>(k));
+    }
+  }
+  std::vector<Eigen::Triplet<double>> pattern;
+  for (const auto& [speed, sharing] : rows_of_speed) {
+    for (const int k : sharing) {
+      for (const int l : sharing) {
+        pattern.emplace_back(k, l, 1.0);
+      }
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(pattern.begin(), pattern.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+  Eigen::AMDOrdering<int>()(matrix, permutation);
+
+  std::vector<std::size_t> ordered;
+  for (Eigen::Index k = 0; k < size; ++k) {
+    ordered.push_back(rows[static_cast<std::size_t>(permutation.indices()[k])]);
+  }
+  return ordered;
 }
 
 }  // namespace mbcc::mechanics

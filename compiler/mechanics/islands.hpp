@@ -8,7 +8,10 @@
 namespace mbcc::mechanics {
 
 /// Connected components of the speeds, joined by the rows in which they occur, in the order of their first row; each
-/// with its rows in an order of approximate minimum degree. Rows without entries belong to no island.
+/// with its rows in the order of the model. Rows without entries belong to no island.
 std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speeds);
+
+/// `rows`, some of `all_rows`, in an order of approximate minimum degree of the pattern of A M^-1 A^T.
+std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows);
 
 }  // namespace mbcc::mechanics

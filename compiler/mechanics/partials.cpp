@@ -47,7 +47,8 @@ class Variables {
   std::size_t size() const { return all_.size(); }
   const Variable& operator[](std::size_t i) const { return all_[i]; }
   std::size_t index_of(const Node& leaf) const {
-    return leaf.kind == Kind::Time ? 0 : leaf.index + (leaf.kind == Kind::Coordinate ? first_coordinate_ : first_speed_);
+    return leaf.kind == Kind::Time ? 0
+                                   : leaf.index + (leaf.kind == Kind::Coordinate ? first_coordinate_ : first_speed_);
   }
 
  private:

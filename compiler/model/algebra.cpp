@@ -94,8 +94,8 @@ Value Algebra::divide(const Operand& left, const Operand& right, Span whole) {
 }
 
 Value Algebra::power(const Operand& base, const Operand& exponent, Span whole) {
-  const bool fits = expect_number(base, "the base of a power") & expect_number(exponent, "an exponent");
-  if (!fits) {
+  const bool base_fits = expect_number(base, "the base of a power");
+  if (!expect_number(exponent, "an exponent") || !base_fits) {
     return {};
   }
   const Scalar& power = exponent.value[0];

@@ -31,6 +31,7 @@ void SystemBuilder::add(const ast::Integrate& integrate, const Instance& /*insta
     known.push_back(field.name);
   }
   const Fields fields = fields_of("integrate", integrate.fields, known);
+  system_.integration = {};
   for (const auto& [name, field] : fields) {
     if (name == "method") {
       set_method(field->value);

@@ -99,8 +99,8 @@ std::vector<Expr> Plan::roots() const {
       roots.push_back(item.value);
     }
   };
-  for (const auto* wanted : {&initial, &kinematics, &free_accelerations, &constraint_errors, &energy, &outputs,
-                             &applied_forces}) {
+  for (const auto* wanted :
+       {&initial, &kinematics, &free_accelerations, &constraint_errors, &energy, &outputs, &applied_forces}) {
     add(*wanted);
   }
   for (const IslandPlan& island : islands) {

@@ -1,6 +1,7 @@
+#include "mechanics/print.hpp"
+
 #include <fmt/format.h>
 
-#include "mechanics/print.hpp"
 #include "program/schedule.hpp"
 
 namespace mbcc {
@@ -48,8 +49,7 @@ class Printer {
                           name == program_.names.end() ? "" : "   # " + name->second);
     }
     for (const Store& store : section.stores) {
-      text += fmt::format("{}{}[{}] <- {}\n", indentation, name_of(store.target), store.index,
-                          reference(store.value));
+      text += fmt::format("{}{}[{}] <- {}\n", indentation, name_of(store.target), store.index, reference(store.value));
     }
   }
 

@@ -54,9 +54,9 @@ struct Guard {
 /// Accelerations of one island: `solve` if every guard holds, the rest of the rank ladder otherwise.
 struct IslandSolve {
   std::size_t island;
-  Section prepare;            ///< up to the pivots
-  std::vector<Guard> guards;  ///< empty where the pivots are constant and safe
-  bool always_climbs = false; ///< the pivots are constant and not safe
+  Section prepare;             ///< up to the pivots
+  std::vector<Guard> guards;   ///< empty where the pivots are constant and safe
+  bool always_climbs = false;  ///< the pivots are constant and not safe
   Section solve;
 };
 
@@ -75,17 +75,17 @@ struct IslandIndices {
 
 struct Program {
   std::unique_ptr<graph::Graph> graph = std::make_unique<graph::Graph>();  ///< lowered: Note [lowering] in lower.hpp
-  std::unordered_map<NodeId, std::string> names; ///< what a value is, where the model knows: "d_sphere"
+  std::unordered_map<NodeId, std::string> names;  ///< what a value is, where the model knows: "d_sphere"
   std::vector<IslandIndices> islands;
-  bool keeps_time = false;                       ///< whether a kernel of level State reads t itself
+  bool keeps_time = false;  ///< whether a kernel of level State reads t itself
 
-  Kernel initial;                   ///< of parameters
-  Kernel prepare;                   ///< what depends on parameters alone and is needed later: no stores
-  Kernel time;                      ///< likewise on time
+  Kernel initial;  ///< of parameters
+  Kernel prepare;  ///< what depends on parameters alone and is needed later: no stores
+  Kernel time;     ///< likewise on time
   Kernel rates;
   std::vector<Kernel> island_rows;  ///< one per island
   Kernel constraint_errors;
-  Kernel energy;                    ///< without stores where the energy is not known
+  Kernel energy;  ///< without stores where the energy is not known
   Kernel outputs;
   Kernel applied_forces;
 };
