@@ -60,9 +60,12 @@ std::string as_force(const std::vector<std::string>& sentence) {
 
 /// What occurs in the paper's expressions, and what occurs in mbcc's only.
 std::vector<std::string> token_pool(Deriver& deriver) {
-  std::vector<std::string> pool = {"+",   "-",  "*", "/",    "^",   "(",  ")",  "t",  "sin", "=",  ",",
-                                   "'",   "[",  "]", "sqrt", "bob", "x0", "vy", "if", "sum", "pi", "1E5",
-                                   "t12", "..", "<", ".",    "bob", "y",  "v1", "z",  "w1",  "xx", "x1a"};
+  std::vector<std::string> pool = {
+      "sin",   "cos",   "tan",   "asin", "acos", "atan", "exp",   "ln",  "log", "sinh", "cosh", "tanh", "asinh",
+      "acosh", "atanh", "sqrt",  "abs",  "if",   "sum",  "t",     "x1",  "vy2", "z10",  "x0",   "vy",   "v1",
+      "t12",   "y",     "bob",   "pi",   "w1",   "xx",   "x1a",   "0",   "12",  "1.",   "1.50", ".5",   ".25",
+      "1e5",   "1.e5",  "2.5e6", ".5e0", "1e10", "1e+5", "1e-05", "1E5", "+",   "-",    "*",    "/",    "^",
+      "(",     ")",     "[",     "]",    "=",    ",",    "'",     "..",  ".",   "<"};
   for (const std::string& name : token_names) {
     for (int i = 0; i < 8; ++i) {
       pool.push_back(deriver.token(name));
