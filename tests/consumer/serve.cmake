@@ -32,6 +32,20 @@ run(sh -c "${CXX} ${CXXFLAGS} -std=c++20 -O2 project/pendulum.cpp $(pkg-config -
 run(./by_hand --quiet --csv by_hand.csv)
 run(moved/bin/mbcc-compare project/pendulum.csv by_hand.csv 1e-9)
 
+# `mbcc run` builds with the runtime that it was installed with: it works, and notices when that one is damaged.
+set(ENV{CXX} ${CXX})
+set(ENV{XDG_CACHE_HOME} ${WORK}/cache)
+run(${mbcc} run project/pendulum.mbd --quiet --csv run.csv)
+run(moved/bin/mbcc-compare project/pendulum.csv run.csv 1e-9)
+file(COPY ${WORK}/moved/ DESTINATION ${WORK}/damaged)
+file(APPEND ${WORK}/damaged/include/mbrt/simulation.hpp "#error damaged\n")
+set(ENV{XDG_CACHE_HOME} ${WORK}/another_cache)
+execute_process(COMMAND damaged/bin/mbcc run project/pendulum.mbd --quiet WORKING_DIRECTORY ${WORK}
+                RESULT_VARIABLE code ERROR_VARIABLE said)
+if(code EQUAL 0 OR NOT said MATCHES "error damaged")
+  message(FATAL_ERROR "mbcc run does not use the runtime beside it: exit code ${code}, ${said}")
+endif()
+
 # A change of an imported file reaches what was made from the model; without one nothing is made again.
 function(modified variable)
   file(TIMESTAMP ${WORK}/build/swing.mbcc/pendulum.cpp time "%s")
