@@ -135,18 +135,17 @@ Index factor_pivoted(Matrix& transposed, Vector& r, double cutoff, double* tau, 
 }
 
 /// Least squares L y = r for L (rows x rank) of full column rank: y becomes the head of r, and the tail of r what L
-/// cannot reach.
-void solve_least_squares(Matrix& l, Vector& r, double* workspace) {
+/// cannot reach. L becomes its own QR: T above, and below it and in `tau` the reflections.
+void solve_least_squares(Matrix& l, Vector& r, double* tau, double* workspace) {
   const Index rows = l.rows();
   const Index rank = l.cols();
   for (Index k = 0; k < rank; ++k) {
-    double tau = 0;
     double beta = 0;
-    l.col(k).tail(rows - k).makeHouseholderInPlace(tau, beta);
+    l.col(k).tail(rows - k).makeHouseholderInPlace(tau[k], beta);
     l(k, k) = beta;
     const auto essential = l.col(k).tail(rows - k - 1);
-    l.bottomRightCorner(rows - k, rank - k - 1).applyHouseholderOnTheLeft(essential, tau, workspace);
-    r.tail(rows - k).applyHouseholderOnTheLeft(essential, tau, workspace);
+    l.bottomRightCorner(rows - k, rank - k - 1).applyHouseholderOnTheLeft(essential, tau[k], workspace);
+    r.tail(rows - k).applyHouseholderOnTheLeft(essential, tau[k], workspace);
   }
   for (Index k = rank - 1; k >= 0; --k) {
     r(k) /= l(k, k);
@@ -154,7 +153,25 @@ void solve_least_squares(Matrix& l, Vector& r, double* workspace) {
   }
 }
 
-/// Step 3: B = P L Q^T with L (rows x rank) lower trapezoidal, by two factorisations; w = Q L^+ P^T r.
+/// The vector L^+T y, of one number per row, for the QR that solve_least_squares leaves in L.
+void apply_transposed_inverse(const Matrix& l, const double* tau, double* workspace, Vector& y) {
+  const Index rows = l.rows();
+  const Index rank = l.cols();
+  for (Index k = 0; k < rank; ++k) {
+    y(k) = (y(k) - l.col(k).head(k).dot(y.head(k))) / l(k, k);
+  }
+  y.tail(rows - rank).setZero();
+  for (Index k = rank - 1; k >= 0; --k) {
+    y.tail(rows - k).applyHouseholderOnTheLeft(l.col(k).tail(rows - k - 1), tau[k], workspace);
+  }
+}
+
+/// Step 3: B = P (L E^T) Q^T with L (rows x rank) lower trapezoidal and E below the cut-off, by two factorisations;
+/// w = Q (y, E L^+T y), y = L^+ P^T r.
+///
+/// Note [small rows]: off the constraints, redundant rows are independent by a little, which is E. Without it the
+/// result would depend on which of them the order of pivots drops, by as much as E, and would jump where rounding
+/// decides it: RK4 then loses an order. With E to first order the result is the truncated pinv but for the square of E.
 void solve_orthogonal(Matrix& transposed, Vector& r, Scratch scratch, Vector& w, IslandRecord& record) {
   const Index columns = transposed.rows();
   const Index rows = transposed.cols();
@@ -167,15 +184,17 @@ void solve_orthogonal(Matrix& transposed, Vector& r, Scratch scratch, Vector& w,
     l.col(j).head(j).setZero();
     l.col(j).tail(rows - j) = transposed.row(j).tail(rows - j).transpose();
   }
-  solve_least_squares(l, r, workspace);
+  double* const tau_of_l = scratch.take(rank);
+  solve_least_squares(l, r, tau_of_l, workspace);
+  record.unreachable = size > 0 ? r.tail(rows - rank).norm() / size : 0;
   w.head(rank) = r.head(rank);
-  w.tail(columns - rank).setZero();
+  apply_transposed_inverse(l, tau_of_l, workspace, r);
+  w.tail(columns - rank).noalias() = transposed.bottomRightCorner(columns - rank, rows - rank) * r.tail(rows - rank);
   for (Index k = rank - 1; k >= 0; --k) {
     w.tail(columns - k).applyHouseholderOnTheLeft(transposed.col(k).tail(columns - k - 1), tau[k], workspace);
   }
   record.rank = static_cast<int>(rank);
   record.smallest_rank = std::min(record.smallest_rank, record.rank);
-  record.unreachable = size > 0 ? r.tail(rows - rank).norm() / size : 0;
 }
 
 }  // namespace
