@@ -8,6 +8,7 @@ namespace mbcc {
 struct ForeignSign {
   std::string_view sign;
   std::string_view advice;
+  bool begins_comment = false;  ///< what follows it on its line was not meant for mbcc
 };
 
 /// The sign of the table that `text` begins with, or null.

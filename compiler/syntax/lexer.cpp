@@ -193,7 +193,7 @@ void Lexer::scan_sign() {
     emit(found->kind, found->text.size());
   } else if (is_foreign) {
     diagnostics_.report(Finding::ForeignSign, span(foreign->sign.size()), foreign->sign, foreign->advice);
-    at_ += foreign->sign == "//" ? to_line_end() : foreign->sign.size();
+    at_ += foreign->begins_comment ? to_line_end() : foreign->sign.size();
   } else {
     refuse_sign();
   }

@@ -151,10 +151,9 @@ TokenIterator SyntaxErrors::innermost_opening(TokenIterator where) const {
   return first_;
 }
 
-/// The text between the statement before and the one behind belongs to this one.
+/// Up to the next statement, for the end of a line stands right behind its last token.
 bool SyntaxErrors::lexer_refused(TokenIterator start, TokenIterator end) const {
-  const std::uint32_t from = start == first_ ? 0 : std::prev(start)->span.end;
-  const auto refused = std::lower_bound(refused_.begin(), refused_.end(), from);
+  const auto refused = std::lower_bound(refused_.begin(), refused_.end(), start->span.begin);
   if (refused == refused_.end() || end->kind == TokenKind::EndOfFile) {
     return refused != refused_.end();
   }

@@ -201,9 +201,9 @@ TEST_CASE("the parser and the grammar agree on statements with one token changed
   Deriver deriver(grammar(), token_names(), 4);
   const std::vector<std::string> pool = token_pool(deriver);
   std::size_t accepted = 0, refused = 0;
-  while (accepted + refused < 20000) {
+  while (accepted + refused < 10000) {
     std::vector<std::string> sentence = usable_sentence(deriver, "statement");
-    if (sentence.size() > 60) {
+    if (sentence.size() > 40) {
       continue;  // long ones take the recogniser's time, and change in few places of the grammar
     }
     spoil(sentence, pool, deriver);
@@ -214,8 +214,8 @@ TEST_CASE("the parser and the grammar agree on statements with one token changed
     REQUIRE(front_end.accepted() == should_accept);
     ++(should_accept ? accepted : refused);
   }
-  CHECK(accepted > 2000);
-  CHECK(refused > 2000);
+  CHECK(accepted > 1000);
+  CHECK(refused > 1000);
 }
 
 TEST_CASE("the parser and the grammar agree on models that people wrote, with and without one token") {

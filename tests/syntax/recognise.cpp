@@ -2,62 +2,67 @@
 
 namespace mbcc::ebnf {
 
-const Recogniser::Places& Recogniser::ends(const Node& node, std::size_t place) {
-  const std::pair key(&node, place);
-  const auto known = known_.find(key);
-  if (known != known_.end()) {
-    return known->second;
-  }
-  Places found = find_ends(node, place);
-  return known_.emplace(key, std::move(found)).first->second;
+bool Recogniser::accepts(std::string_view production) {
+  const Places reached = ends(grammar_[production], 0);
+  return reached.count(size_) != 0;
 }
 
-Recogniser::Places Recogniser::find_ends(const Node& node, std::size_t place) {
+/// All places where what the node makes can end if it begins at `place`.
+Recogniser::Places Recogniser::ends(const Node& node, std::size_t place) {
   switch (node.kind) {
     case Kind::Literal:
     case Kind::Range:
-    case Kind::Name: {
-      const std::optional<std::size_t> end = terminal_(node, place);
-      if (!end && node.kind == Kind::Name) {
-        return ends(grammar_[node.text], place);
+    case Kind::Name:
+      if (const std::optional<std::size_t> end = terminal_(node, place)) {
+        return *end == npos ? Places{} : Places{*end};
       }
-      return end && *end != npos ? Places{*end} : Places{};
-    }
+      return ends_of_name(node, place);
     case Kind::Sequence:
-      return find_sequence_ends(node, place);
-    case Kind::Choice: {
-      Places all;
-      for (const Node& child : node.children) {
-        const Places& some = ends(child, place);
-        all.insert(some.begin(), some.end());
-      }
-      return all;
-    }
+      return ends_of_sequence(node, place);
+    case Kind::Choice:
+      return ends_of_choice(node, place);
     case Kind::Option: {
       Places all = ends(node.children.front(), place);
       all.insert(place);
       return all;
     }
     case Kind::Repeat:
-      return find_repeat_ends(node, place);
+      return ends_of_repeat(node, place);
   }
   return {};
 }
 
-Recogniser::Places Recogniser::find_sequence_ends(const Node& node, std::size_t place) {
+Recogniser::Places Recogniser::ends_of_name(const Node& node, std::size_t place) {
+  const Node& body = grammar_[node.text];
+  const std::pair key(&body, place);
+  const auto known = known_.find(key);
+  if (known != known_.end()) {
+    return known->second;
+  }
+  return known_.emplace(key, ends(body, place)).first->second;
+}
+
+Recogniser::Places Recogniser::ends_of_sequence(const Node& node, std::size_t place) {
   Places reached = {place};
   for (const Node& child : node.children) {
     Places next;
     for (const std::size_t from : reached) {
-      const Places& some = ends(child, from);
-      next.insert(some.begin(), some.end());
+      next.merge(ends(child, from));
     }
     reached = std::move(next);
   }
   return reached;
 }
 
-Recogniser::Places Recogniser::find_repeat_ends(const Node& node, std::size_t place) {
+Recogniser::Places Recogniser::ends_of_choice(const Node& node, std::size_t place) {
+  Places all;
+  for (const Node& child : node.children) {
+    all.merge(ends(child, place));
+  }
+  return all;
+}
+
+Recogniser::Places Recogniser::ends_of_repeat(const Node& node, std::size_t place) {
   Places all = {place};
   std::vector<std::size_t> waiting = {place};
   while (!waiting.empty()) {

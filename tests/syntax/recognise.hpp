@@ -1,6 +1,6 @@
 #pragma once
-// Whether a sentence belongs to a grammar: backtracking over all possibilities, each remembered. Slow, simple, and
-// independent of the parser that it judges.
+// Whether a sentence belongs to a grammar: backtracking over all possibilities, remembered for each production. Slow,
+// simple, and independent of the parser that it judges.
 
 #include <functional>
 #include <map>
@@ -24,19 +24,20 @@ class Recogniser {
   Recogniser(const Grammar& grammar, std::size_t size, Terminal terminal)
       : grammar_(grammar), size_(size), terminal_(std::move(terminal)) {}
 
-  bool accepts(std::string_view production) { return ends(grammar_[production], 0).count(size_) != 0; }
+  bool accepts(std::string_view production);
 
  private:
   using Places = std::set<std::size_t>;
-  const Places& ends(const Node& node, std::size_t place);
-  Places find_ends(const Node& node, std::size_t place);
-  Places find_sequence_ends(const Node& node, std::size_t place);
-  Places find_repeat_ends(const Node& node, std::size_t place);
+  Places ends(const Node& node, std::size_t place);
+  Places ends_of_name(const Node& node, std::size_t place);
+  Places ends_of_sequence(const Node& node, std::size_t place);
+  Places ends_of_choice(const Node& node, std::size_t place);
+  Places ends_of_repeat(const Node& node, std::size_t place);
 
   const Grammar& grammar_;
   std::size_t size_;
   Terminal terminal_;
-  std::map<std::pair<const Node*, std::size_t>, Places> known_;
+  std::map<std::pair<const Node*, std::size_t>, Places> known_;  ///< of whole productions
 };
 
 /// Whether a production makes exactly these characters.
