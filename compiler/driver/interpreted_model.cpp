@@ -175,19 +175,15 @@ void InterpretedModel::rates(const State& y, State& rate) {
 
 void InterpretedModel::solve(const program::IslandSolve& island, const State& y, State& rate) {
   IslandArrays& arrays = islands_[island.island];
-  execute(island.prepare);
-  const bool holds =
-      !island.always_climbs &&
-      std::all_of(island.guards.begin(), island.guards.end(), [&](const program::Guard& guard) {
-        const double pivot = values_[guard.pivot];
-        const double floor = arrays.floor[guard.row];
-        return guard.pivot == guard.diagonal ? pivot >= floor : mbrt::holds(pivot, values_[guard.diagonal], floor);
-      });
+  execute(island.solve);
+  for (const Store& store : island.solve.stores) {
+    rate[store.index] = values_[store.value];
+  }
+  const bool holds = !island.always_climbs &&
+                     std::all_of(island.guards.begin(), island.guards.end(), [&](const program::Guard& guard) {
+                       return mbrt::holds(values_[guard.pivot], values_[guard.diagonal], arrays.floor[guard.row]);
+                     });
   if (holds) {
-    execute(island.solve);
-    for (const Store& store : island.solve.stores) {
-      rate[store.index] = values_[store.value];
-    }
     return;
   }
   island_rows(static_cast<int>(island.island), y);

@@ -112,7 +112,6 @@ class StructurePrinter {
       add(section);
     }
     for (const program::IslandSolve& island : kernel.islands) {
-      add(island.prepare);
       add(island.solve);
     }
     text_ += fmt::format("  {}: {}, {}, {}, {}\n", when, count(sums_, "addition"), count(products_, "multiplication"),

@@ -37,6 +37,21 @@ std::string function(std::string_view purpose, std::string_view signature, const
                       : fmt::format("\n/// {}\n{} {{\n{}}}\n", purpose, signature, indent(body));
 }
 
+/// A right-hand side of up to this many operations is worth a copy in every stage of an integrator, which then keeps
+/// the rates in registers (measured: 30 % of a chain of 3 links, nothing from 10 links on).
+constexpr std::size_t most_operations_inlined = 150;
+
+std::size_t operations(const program::Kernel& kernel) {
+  std::size_t count = 0;
+  for (const program::Section& section : kernel.sections) {
+    count += section.order.size();
+  }
+  for (const program::IslandSolve& island : kernel.islands) {
+    count += island.solve.order.size();
+  }
+  return count;
+}
+
 /// A function of the number of an island: one case per island, and what to return for any other.
 std::string island_switch(std::size_t islands, std::string_view signature, std::string_view case_format,
                           std::string_view otherwise) {
@@ -134,14 +149,15 @@ std::string ClassWriter::set_time() const {
 std::string ClassWriter::rates() const {
   const auto& sections = program_.rates.sections;
   Comments comments;
-  comments.sections = {"", sections[1].stores.empty() ? "" : "without constraints",
-                       sections[2].order.empty() ? "" : "shared between islands"};
+  comments.sections = {"", sections[1].stores.empty() ? "" : "without constraints"};
   for (std::size_t i = 0; i < program_.islands.size(); ++i) {
     comments.islands.push_back(island_comment(i));
   }
   const Body rates = body(program_.rates, comments);
+  const std::string_view inlining =
+      operations(program_.rates) <= most_operations_inlined ? "[[gnu::always_inline]] " : "";
   return function("Time derivative of the state.",
-                  fmt::format("void rates(const State& {}, State& {}){}", argument("y", rates.reads_state),
+                  fmt::format("{}void rates(const State& {}, State& {}){}", inlining, argument("y", rates.reads_state),
                               argument("rate", !rates.text.empty()), program_.islands.empty() ? " const" : ""),
                   rates.text);
 }

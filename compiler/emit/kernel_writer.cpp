@@ -66,7 +66,6 @@ class KernelWriter {
       count_uses(section);
     }
     for (const IslandSolve& island : kernel.islands) {
-      count_uses(island.prepare);
       for (const program::Guard& guard : island.guards) {
         use(guard.diagonal);
         use(guard.pivot);
@@ -79,7 +78,7 @@ class KernelWriter {
     unpack_leaves();
     for (std::size_t i = 0; i < kernel_.sections.size(); ++i) {
       comment(i < comments.sections.size() ? comments.sections[i] : "");
-      write_section(kernel_.sections[i], "");
+      write_section(kernel_.sections[i]);
     }
     for (std::size_t i = 0; i < kernel_.islands.size(); ++i) {
       comment(comments.islands[i]);
@@ -182,15 +181,15 @@ class KernelWriter {
     }
   }
 
-  void write_section(const Section& section, std::string_view indentation) {
+  void write_section(const Section& section) {
     find_pairs(section);
     for (const NodeId id : section.order) {
-      compute(id, indentation);
+      compute(id);
     }
     for (const Store& store : section.stores) {
       const std::string value = text_of(store.value).text;
-      body_.text += store.target == Target::Energy ? fmt::format("{}return {};\n", indentation, value)
-                                                   : fmt::format("{}{} = {};\n", indentation, place_of(store), value);
+      body_.text += store.target == Target::Energy ? fmt::format("return {};\n", value)
+                                                   : fmt::format("{} = {};\n", place_of(store), value);
     }
   }
 
@@ -201,32 +200,33 @@ class KernelWriter {
       body_.reads_state = true;
       return;
     }
-    write_section(island.prepare, "");
+    write_section(island.solve);
     if (island.guards.empty()) {
-      write_section(island.solve, "");
       return;
     }
-    std::string condition;
+    // One flag and one branch: the pivot tests then cost next to nothing.
+    const std::string flag = scope_.declare("safe");
+    std::string_view assignment = "bool {} = ";
     for (const program::Guard& guard : island.guards) {
-      condition += condition.empty() ? "" : " &&\n    ";
       const std::string floor = fmt::format("island_{}_.floor({})", number, guard.row);
-      condition += guard.diagonal == guard.pivot ? fmt::format("{} >= {}", text_of(guard.pivot).text, floor)
-                                                 : fmt::format("mbrt::holds({}, {}, {})", text_of(guard.pivot).text,
-                                                               text_of(guard.diagonal).text, floor);
+      const std::string pivot = text_of(guard.pivot).text;
+      body_.text += fmt::format(fmt::runtime(assignment), flag);
+      body_.text += guard.diagonal == guard.pivot
+                        ? fmt::format("{} >= {};\n", pivot, floor)
+                        : fmt::format("mbrt::holds({}, {}, {});\n", pivot, text_of(guard.diagonal).text, floor);
+      assignment = "{} &= ";
     }
-    body_.text += "if (" + condition + ") [[likely]] {\n";
-    write_section(island.solve, "  ");
-    body_.text += fmt::format("}} else {{\n  climb_{}(y, rate);\n}}\n", number);
+    body_.text += fmt::format("if (!{}) [[unlikely]] {{\n  climb_{}(y, rate);\n}}\n", flag, number);
     body_.reads_state = true;
   }
 
   /// Gives `id` its code: a line of its own if it is used more than once, has a name in the model, or is long.
-  void compute(NodeId id, std::string_view indentation) {
+  void compute(NodeId id) {
     if (codes_.contains(id)) {
       return;
     }
     const Node& node = (*program_.graph)[id];
-    if (write_pair(node, indentation)) {
+    if (write_pair(node)) {
       return;
     }
     std::vector<Code> operands;
@@ -236,7 +236,7 @@ class KernelWriter {
     const Code code = compose(node.op, operands);
     if (uses_[id] > 1 || program_.names.contains(id) || code.text.size() > longest_inline_text) {
       const std::string name = declare(id);
-      body_.text += fmt::format("{}const double {} = {};\n", indentation, name, code.text);
+      body_.text += fmt::format("const double {} = {};\n", name, code.text);
       codes_[id] = {name, Binding::Primary};
     } else {
       codes_[id] = code;
@@ -244,7 +244,7 @@ class KernelWriter {
   }
 
   /// sin and cos of one argument with one call, if the kernel needs both.
-  bool write_pair(const Node& node, std::string_view indentation) {
+  bool write_pair(const Node& node) {
     if (node.op != Operator::Sin && node.op != Operator::Cos) {
       return false;
     }
@@ -255,7 +255,7 @@ class KernelWriter {
     }
     const std::string sine_name = declare(sine->second);
     const std::string cosine_name = declare(cosine->second);
-    body_.text += fmt::format("{}const auto [{}, {}] = mbrt::sincos({});\n", indentation, sine_name, cosine_name,
+    body_.text += fmt::format("const auto [{}, {}] = mbrt::sincos({});\n", sine_name, cosine_name,
                               text_of(node.operands[0]).text);
     codes_[sine->second] = {sine_name, Binding::Primary};
     codes_[cosine->second] = {cosine_name, Binding::Primary};

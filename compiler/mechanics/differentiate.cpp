@@ -80,9 +80,11 @@ Row differentiate_constraint(const model::System& system, const Equations& equat
   const Rates rates = along_unaccelerated_motion(value, equations.kinematics);
   const Expr b = holonomic ? -rates.second : -rates.first;
   Row row{k, entries_of(system, value, holonomic), b, value, holonomic ? rates.first : value, b};
+  Expr of_free_motion = number(value, 0);
   for (const Entry& entry : row.entries) {
-    row.residual = row.residual - entry.value * free[entry.speed];
+    of_free_motion = of_free_motion + entry.value * free[entry.speed];
   }
+  row.residual = b - of_free_motion;
   return row;
 }
 

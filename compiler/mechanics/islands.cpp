@@ -1,10 +1,10 @@
 #include "mechanics/islands.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 namespace mbcc::mechanics {
 
@@ -26,6 +26,27 @@ class Components {
  private:
   std::vector<std::size_t> parents_;
 };
+
+/// Per row, by position in `rows`: the rows that share a speed with it.
+std::vector<std::set<std::size_t>> pattern_of(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows) {
+  std::map<std::size_t, std::vector<std::size_t>> rows_of_speed;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const Entry& entry : all_rows[rows[k]].entries) {
+      rows_of_speed[entry.speed].push_back(k);
+    }
+  }
+  std::vector<std::set<std::size_t>> neighbours(rows.size());
+  for (const auto& [speed, sharing] : rows_of_speed) {
+    for (const std::size_t k : sharing) {
+      for (const std::size_t l : sharing) {
+        if (l != k) {
+          neighbours[k].insert(l);
+        }
+      }
+    }
+  }
+  return neighbours;
+}
 
 }  // namespace
 
@@ -58,31 +79,30 @@ std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speed
 }
 
 std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows) {
-  std::map<std::size_t, std::vector<int>> rows_of_speed;
+  std::vector<std::set<std::size_t>> neighbours = pattern_of(all_rows, rows);
+  std::set<std::size_t> open;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const Entry& entry : all_rows[rows[k]].entries) {
-      rows_of_speed[entry.speed].push_back(static_cast<int>(k));
-    }
+    open.insert(k);
   }
-  std::vector<Eigen::Triplet<double>> pattern;
-  for (const auto& [speed, sharing] : rows_of_speed) {
-    for (const int k : sharing) {
-      for (const int l : sharing) {
-        pattern.emplace_back(k, l, 1.0);
+  std::vector<std::size_t> touched(rows.size());  // when a neighbour was last eliminated
+  std::vector<std::size_t> order;
+  while (!open.empty()) {
+    const std::size_t next = *std::min_element(open.begin(), open.end(), [&](std::size_t k, std::size_t l) {
+      return std::tuple(neighbours[k].size(), touched[k], k) < std::tuple(neighbours[l].size(), touched[l], l);
+    });
+    open.erase(next);
+    order.push_back(rows[next]);
+    for (const std::size_t k : neighbours[next]) {
+      neighbours[k].erase(next);
+      touched[k] = order.size();
+      for (const std::size_t l : neighbours[next]) {
+        if (l != k) {
+          neighbours[k].insert(l);
+        }
       }
     }
   }
-  const auto size = static_cast<Eigen::Index>(rows.size());
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(pattern.begin(), pattern.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  Eigen::AMDOrdering<int>()(matrix, permutation);
-
-  std::vector<std::size_t> ordered;
-  for (Eigen::Index k = 0; k < size; ++k) {
-    ordered.push_back(rows[static_cast<std::size_t>(permutation.indices()[k])]);
-  }
-  return ordered;
+  return order;
 }
 
 }  // namespace mbcc::mechanics

@@ -11,7 +11,11 @@ namespace mbcc::mechanics {
 /// with its rows in the order of the model. Rows without entries belong to no island.
 std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speeds);
 
-/// `rows`, some of `all_rows`, in an order of approximate minimum degree of the pattern of A M^-1 A^T.
+/// `rows`, some of `all_rows`, in an order of minimum degree of the pattern of A M^-1 A^T.
+///
+/// Among rows of equal degree the one goes first whose neighbours were eliminated longest ago: a chain is eaten from
+/// both ends at once, which halves the length of the dependent divisions (measured: 25 to 30 % of the time of a chain).
+/// A library's ordering minimises fill alone, and runs along the chain.
 std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows);
 
 }  // namespace mbcc::mechanics

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "model/names.hpp"
 #include "model/system_builder.hpp"
 
@@ -26,16 +24,12 @@ void SystemBuilder::add(const ast::Output& output, const Instance& instance) {
 }
 
 void SystemBuilder::add_column(const std::string& name, const Scalar& value, const ast::Output& output) {
-  const auto is_taken = [&](const auto& items, auto member) {
-    return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.*member == name; });
-  };
   const Span span = output.name.span;
-  if (name == "t" || is_taken(system_.coordinates, &Coordinate::name) || is_taken(system_.speeds, &Speed::name) ||
-      is_taken(system_.speeds, &Speed::acceleration)) {
+  if (motion_columns_.count(name) != 0) {
     context_.report.report(Finding::ReservedName, span, name, "a column of every result");
     return;
   }
-  if (const auto [column, is_new] = columns_.try_emplace(name, span); !is_new) {
+  if (const auto [column, is_new] = output_columns_.try_emplace(name, span); !is_new) {
     context_.report.report(Finding::AlreadyDeclared, span, name).note(column->second, "first declared here");
     return;
   }

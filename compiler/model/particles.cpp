@@ -22,6 +22,9 @@ void SystemBuilder::add_particles() {
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(context_.dimension); ++axis) {
       const SpeedId speed{static_cast<std::uint32_t>(system_.speeds.size())};
       const Span span = particle.syntax->name.span;
+      for (const std::string_view prefix : {"", "v", "a"}) {
+        motion_columns_.insert(column(particle, prefix, axis));
+      }
       system_.coordinates.push_back({column(particle, "", axis), speed, {}, span});
       system_.speeds.push_back({column(particle, "v", axis), column(particle, "a", axis), {}, {}, span});
     }

@@ -2,6 +2,7 @@
 // Fills the System from the statements of a model, one function per kind of statement.
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "model/declare.hpp"
@@ -63,7 +64,8 @@ class SystemBuilder {
   Context& context_;
   System& system_;
   std::size_t constraints_so_far_ = 0;
-  std::map<std::string, Span> columns_;  ///< of outputs
+  std::set<std::string> motion_columns_ = {"t"};
+  std::map<std::string, Span> output_columns_;
 };
 
 /// The value of `id` where every parameter has its default.

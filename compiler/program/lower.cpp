@@ -17,17 +17,18 @@ using graph::NodeId;
 using graph::Operator;
 
 constexpr double largest_expanded_exponent = 32;
+constexpr int divisions_worth_a_reciprocal = 3;
 
 /// The denominators whose reciprocal is worth a value of its own.
 std::unordered_set<NodeId> find_shared_denominators(const Graph& graph, const std::vector<NodeId>& nodes) {
-  std::unordered_set<NodeId> seen;
+  std::unordered_map<NodeId, int> divisions;
   std::unordered_set<NodeId> shared;
   for (const NodeId id : nodes) {
     const Node& node = graph[id];
     if (node.kind == Kind::Apply && node.op == Operator::Divide) {
       const NodeId denominator = node.operands[1];
       const bool known_earlier = graph[denominator].level < graph[node.operands[0]].level;
-      if (!seen.insert(denominator).second || known_earlier) {
+      if (++divisions[denominator] >= divisions_worth_a_reciprocal || known_earlier) {
         shared.insert(denominator);
       }
     }

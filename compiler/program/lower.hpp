@@ -2,8 +2,9 @@
 // Note [lowering]: the last rewriting before code. The lowered graph is a graph of its own, whose nodes are exactly
 // the operations that will be done:
 //   * x^n with an integer |n| <= 32 becomes multiplications by repeated squaring (and one division where n < 0);
-//   * divisions that share a denominator, or whose denominator is known earlier (at a lower level) than the numerator,
-//     become multiplications by its reciprocal, which is computed once and at its own level.
+//   * three or more divisions by one denominator, and divisions whose denominator is known earlier (at a lower level)
+//     than the numerator, become multiplications by its reciprocal, which is computed once and at its own level. Two
+//     divisions stay: they overlap, and the reciprocal would lengthen the chain of pivots (measured: 10 % of a chain).
 
 #include <span>
 #include <unordered_map>

@@ -26,7 +26,6 @@ class Printer {
     }
     for (const IslandSolve& island : kernel.islands) {
       text += fmt::format("  island {}{}\n", island.island + 1, island.always_climbs ? " climbs always" : "");
-      section(island.prepare, "    ");
       for (const Guard& guard : island.guards) {
         text += fmt::format("    guard {} against {}\n", reference(guard.pivot), reference(guard.diagonal));
       }

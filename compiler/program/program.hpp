@@ -51,13 +51,12 @@ struct Guard {
   NodeId pivot;
 };
 
-/// Accelerations of one island: `solve` if every guard holds, the rest of the rank ladder otherwise.
+/// Accelerations of one island: `solve`, and the rest of the rank ladder instead if a guard does not hold.
 struct IslandSolve {
   std::size_t island;
-  Section prepare;             ///< up to the pivots
+  Section solve;               ///< pivots first, then the accelerations
   std::vector<Guard> guards;   ///< empty where the pivots are constant and safe
-  bool always_climbs = false;  ///< the pivots are constant and not safe
-  Section solve;
+  bool always_climbs = false;  ///< the pivots are constant and not safe: no solve
 };
 
 struct Kernel {

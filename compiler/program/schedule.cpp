@@ -1,7 +1,6 @@
 #include "program/schedule.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "program/lower.hpp"
@@ -39,7 +38,6 @@ class Scheduler {
     std::set<NodeId> computed;
     kernel.sections.push_back(section(Level::State, plan.kinematics, computed));
     kernel.sections.push_back(section(Level::State, plan.free_accelerations, computed));
-    kernel.sections.push_back(shared_between_islands(plan, computed));
     for (std::size_t i = 0; i < plan.islands.size(); ++i) {
       kernel.islands.push_back(solve(i, plan.islands[i], computed));
     }
@@ -63,12 +61,16 @@ class Scheduler {
  private:
   Section section(Level level, const std::vector<Wanted>& wanted, std::set<NodeId>& computed) {
     Section section;
+    add(wanted, level, computed, section);
+    return section;
+  }
+
+  void add(const std::vector<Wanted>& wanted, Level level, std::set<NodeId>& computed, Section& section) {
     for (const Wanted& item : wanted) {
       const NodeId value = lowering_(item.value);
       visit(value, level, computed, section.order);
       section.stores.push_back({item.target, item.index, value});
     }
-    return section;
   }
 
   /// Appends `id` and what it needs to `order`, operands first, except what is computed or known already.
@@ -89,55 +91,27 @@ class Scheduler {
     order.push_back(id);
   }
 
-  /// What more than one island needs, computed before any of them.
-  Section shared_between_islands(const Plan& plan, std::set<NodeId>& computed) {
-    std::map<NodeId, int> users;
-    std::vector<NodeId> all;
-    for (const IslandPlan& island : plan.islands) {
-      std::set<NodeId> own = computed;
-      std::vector<NodeId> order;
-      for (const mechanics::Pivot& pivot : island.elimination.pivots) {
-        visit(lowering_(pivot.pivot), Level::State, own, order);
-        visit(lowering_(pivot.diagonal), Level::State, own, order);
-      }
-      for (const Wanted& item : island.accelerations) {
-        visit(lowering_(item.value), Level::State, own, order);
-      }
-      for (const NodeId id : order) {
-        if (++users[id] == 2) {
-          all.push_back(id);
-        }
-      }
-    }
-    Section section;
-    for (const NodeId id : all) {
-      visit(id, Level::State, computed, section.order);
-    }
-    return section;
-  }
-
   IslandSolve solve(std::size_t index, const IslandPlan& plan, std::set<NodeId>& computed) {
     IslandSolve solve;
     solve.island = index;
     for (std::size_t k = 0; k < plan.elimination.pivots.size(); ++k) {
-      const Guard guard{k, lowering_(plan.elimination.pivots[k].diagonal), lowering_(plan.elimination.pivots[k].pivot)};
-      const graph::Node& diagonal = (*program_.graph)[guard.diagonal];
-      const graph::Node& pivot = (*program_.graph)[guard.pivot];
-      if (diagonal.kind == Kind::Constant && pivot.kind == Kind::Constant) {
-        solve.always_climbs |= !(pivot.value >= plain_pivot_ratio * diagonal.value && pivot.value > 0);
-        continue;
+      const mechanics::Pivot& pivot = plan.elimination.pivots[k];
+      if (pivot.pivot.is_constant() && pivot.diagonal.is_constant()) {
+        const double value = pivot.pivot.node().value;
+        solve.always_climbs |= !(value > 0 && value >= plain_pivot_ratio * pivot.diagonal.node().value);
+      } else {
+        solve.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot)});
       }
-      solve.guards.push_back(guard);
-      visit(guard.diagonal, Level::State, computed, solve.prepare.order);
-      visit(guard.pivot, Level::State, computed, solve.prepare.order);
     }
     if (solve.always_climbs) {
       solve.guards.clear();
-      solve.prepare = {};
       return solve;
     }
-    std::set<NodeId> inside = computed;
-    solve.solve = section(Level::State, plan.accelerations, inside);
+    for (const Guard& guard : solve.guards) {
+      visit(guard.diagonal, Level::State, computed, solve.solve.order);
+      visit(guard.pivot, Level::State, computed, solve.solve.order);
+    }
+    add(plan.accelerations, Level::State, computed, solve.solve);
     return solve;
   }
 
