@@ -58,11 +58,11 @@ int run_program(AnyModel& model, int argc, char** argv) {
     return *code;
   }
   const Options& options = std::get<Options>(line);
+  listen_for_interrupts();
   std::optional<OutputFile> csv, summary;
   if (!is_well(open(csv, options.csv)) || !is_well(open(summary, options.summary))) {
     return ExitUsage;
   }
-  listen_for_interrupts();
   std::optional<Recorder> recorder;
   if (csv) {
     recorder.emplace(model, *csv, options.from, options.every);

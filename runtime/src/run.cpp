@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <utility>
 
 #include "interrupt.hpp"
 #include "records.hpp"
@@ -45,8 +46,9 @@ class Progress {
 /// Shows each accepted state to everyone who wants to see it.
 class Watch final : public Observer {
  public:
-  Watch(AnyModel& model, const Options& options, const std::vector<Island>& islands, Recorder* recorder)
-      : monitor_(model, islands), recorder_(recorder) {
+  Watch(AnyModel& model, const Options& options, const std::vector<Island>& islands, std::vector<double> start,
+        Recorder* recorder)
+      : monitor_(model, islands), recorder_(recorder), time_(options.from), state_(std::move(start)) {
     if (options.progress) {
       progress_.emplace(options.from, options.to);
     }
@@ -98,7 +100,7 @@ class Watch final : public Observer {
   long arrivals_ = 0;
   long accepted_ = 0;
   double recording_ = 0;
-  double time_ = 0;
+  double time_;  // of the last accepted state
   std::vector<double> state_;
 };
 
@@ -123,7 +125,7 @@ Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
   if (std::string message = find_inconsistencies(model, islands, state); !message.empty()) {
     return inconsistent_start(options, std::move(message), std::move(state));
   }
-  Watch watch(model, options, islands, recorder);
+  Watch watch(model, options, islands, state, recorder);
   const Clock::time_point begin = Clock::now();
   model.integrate(time_grid(options.from, options.to, options.step), state, watch);
   Outcome outcome = watch.outcome(options.to, seconds_since(begin));

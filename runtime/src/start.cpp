@@ -21,17 +21,21 @@ void take_scales_at(AnyModel& model, const std::vector<Island>& islands, const s
   }
 }
 
-/// A state near by, off in no special direction: a tenth of the state's size times the fractional parts of multiples
-/// of the golden ratio.
+/// The i-th of a sequence of numbers between -0.05 and 0.05 without any regularity: fractional parts of multiples of
+/// the golden ratio.
+double offset(std::size_t i) {
+  constexpr double golden = 1.618033988749895;
+  const double multiple = static_cast<double>(i) * golden;
+  return 0.1 * (multiple - std::floor(multiple) - 0.5);
+}
+
 std::vector<double> displaced(const Description& model, std::vector<double> state) {
   const std::span<double> all = state;
   std::size_t i = 0;
   for (const auto part : {all.first(model.coordinates.size()), all.subspan(model.coordinates.size())}) {
-    const double reach = 0.1 * extent(part);
+    const double size = extent(part);
     for (double& value : part) {
-      constexpr double golden = 1.618033988749895;
-      const double multiple = static_cast<double>(++i) * golden;
-      value += reach * (multiple - std::floor(multiple) - 0.5);
+      value += size * offset(++i);
     }
   }
   return state;
@@ -54,8 +58,9 @@ std::vector<double> start_state(AnyModel& model, const Options& options) {
 
 void take_row_scales(AnyModel& model, const std::vector<Island>& islands, double time,
                      const std::vector<double>& state) {
-  model.set_time(time);
+  model.set_time(time + offset(0));
   take_scales_at(model, islands, displaced(model.description(), state));
+  model.set_time(time);
   take_scales_at(model, islands, state);
 }
 

@@ -13,7 +13,7 @@ namespace mbrt {
 std::vector<double> start_state(AnyModel& model, const Options& options);
 
 /// Sets the model's time to `time` and takes the row scales and pivot floors of all islands there. A row that vanishes
-/// at the start has the scale of the rows a little way off.
+/// at the start has the scale of the rows a little way off, in state and time.
 void take_row_scales(AnyModel& model, const std::vector<Island>& islands, double time,
                      const std::vector<double>& state);
 

@@ -93,8 +93,8 @@ struct Pendulum {
   }
 };
 
-/// The paper's example: a particle on a sphere and a turning meridian; another under z vx = vy and z^2 vx = vy, whose
-/// rows become parallel where z = 0 (t = 3), and which moves on a straight line.
+/// The paper's example: a particle on a sphere and a turning meridian; another one under z vx = vy and z^2 vx = vy,
+/// whose rows become parallel where z = 0 (t = 3), and which moves on a straight line.
 struct Paper {
   static constexpr std::size_t size = 6, constraints = 4;
   std::array<double, 0> parameters;
@@ -304,6 +304,33 @@ struct Vanishing : PlainScene {
   template <class State>
   ConstraintValue<size> constraint(int, double t, const State& y) const {
     return {y[0] * (1 - t), y[1] * (1 - t) - y[0], {1 - t}, 2 * y[1]};
+  }
+};
+
+/// 1e-9 x y = 0 along the x axis, with a pull t along y: the row vanishes at the start and grows with x = t.
+struct Opening : PlainScene {
+  static constexpr std::size_t size = 2, constraints = 1;
+
+  static const Description& description() {
+    static constexpr std::array<ConstraintEntry, 1> entry = {{{"axis", "opening.mbd:4", true}}};
+    static constexpr std::array<IslandEntry, 1> island = {{{std::span(indices).first(1), std::span(indices).first(2)}}};
+    static const Description result =
+        describe("opening", size, entry, island, {0, 1, 0.01, not_given, not_given, nullptr});
+    return result;
+  }
+
+  static std::array<double, 4> start() { return {0, 0, 1, 0}; }
+  template <class State>
+  void free(double t, const State&, std::array<double, size>& a) const {
+    a = {0, t};
+  }
+  template <class State>
+  ConstraintValue<size> constraint(int, double, const State& y) const {
+    constexpr double factor = 1e-9;
+    return {factor * y[0] * y[1],
+            factor * (y[0] * y[3] + y[2] * y[1]),
+            {factor * y[1], factor * y[0]},
+            -2 * factor * y[2] * y[3]};
   }
 };
 
