@@ -9,14 +9,6 @@
 #include "model/names.hpp"
 
 namespace mbcc::model {
-namespace {
-
-std::string member_path(const Particle& particle, std::string_view member) {
-  return fmt::format("{}.{}", particle.name, member);
-}
-
-}  // namespace
-
 Value Evaluator::visit(const Reference& reference, Span span, const Frame* frame) {
   const Base start = base(reference, frame);
   Value value = start.value;
@@ -33,7 +25,7 @@ Value Evaluator::visit(const Reference& reference, Span span, const Frame* frame
   }
   if (start.particle != nullptr && reference.parts.size() == 1) {
     context_.report.report(Finding::NotAValue, span, start.particle->name, "a particle",
-                           fmt::format(": write `{}` or the like", member_path(*start.particle, "position")));
+                           fmt::format(": write `{}.position` or the like", start.particle->name));
     return {};
   }
   return value;
