@@ -9,6 +9,7 @@
 #include "model/names.hpp"
 
 namespace mbcc::model {
+
 Value Evaluator::visit(const Reference& reference, Span span, const Frame* frame) {
   const Base start = base(reference, frame);
   Value value = start.value;
