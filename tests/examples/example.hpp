@@ -21,4 +21,9 @@ inline Run run_example(const std::string& name, const std::vector<std::string>& 
   return run;
 }
 
+/// Largest departure of the energy from its start, at a step.
+inline double energy_drift(const std::string& name, const std::string& step) {
+  return run_example(name, {"--step", step}).summary.at("energy").at("max_drift").get<double>();
+}
+
 }  // namespace mbcc::test

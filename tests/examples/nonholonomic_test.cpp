@@ -28,7 +28,7 @@ TEST_CASE("skate: closed form at all times, order four") {
   const double error = skate_error(along, pi / 3, run_example("skate", {"--step", "0.02"}).table);
   const double error_at_half = skate_error(along, pi / 3, run_example("skate", {"--step", "0.01"}).table);
   CHECK(observed_order(error, error_at_half) == near(4, 0.2));
-  CHECK(skate_error(along, pi / 3, run_example("skate").table) < 1e-4 * error);  // twenty times smaller steps
+  CHECK(skate_error(along, pi / 3, run_example("skate").table) < 1e-10);  // where it goes 30 m
 
   const Table other = run_example("skate", {"--set", "slope=0.3", "--set", "spin=2", "--set", "reach=0.1"}).table;
   CHECK(skate_error(9.81 * std::sin(0.3), 2, other) < 1e-9);
@@ -49,7 +49,7 @@ TEST_CASE("constant speed: closed form at all times, order four") {
   const double error = largest_error(1, run_example("constant_speed", {"--step", "0.01"}).table);
   const double error_at_half = largest_error(1, run_example("constant_speed", {"--step", "0.005"}).table);
   CHECK(observed_order(error, error_at_half) == near(4, 0.3));  // a tenth of the time in which the path turns
-  CHECK(largest_error(1, run_example("constant_speed").table) < 1e-5 * error * 2);  // twenty times smaller steps
+  CHECK(largest_error(1, run_example("constant_speed").table) < 2e-5 * error);  // steps twenty times smaller
   CHECK(largest_error(3, run_example("constant_speed", {"--set", "pace=3"}).table) < 1e-10);
 }
 
@@ -78,8 +78,9 @@ TEST_CASE("bead on a hoop: the motion of one coordinate, order four") {
   const auto error = [&](const std::string& step) {
     return std::abs(run_example("bead_on_hoop", {"--step", step}).table.last("angle") - exact);
   };
-  CHECK(observed_order(error("0.004"), error("0.002")) == near(4, 0.3));
-  CHECK(error("0.001") < 1e-7);
+  const double fine = error("0.001");
+  CHECK(observed_order(error("0.002"), fine) == near(4, 0.2));
+  CHECK(fine < 2e-7);  // a start near the unstable lowest point magnifies errors
 }
 
 TEST_CASE("bead on a hoop: it rests where weight and turning balance") {
