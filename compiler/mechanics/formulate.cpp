@@ -18,7 +18,7 @@ using model::index;
 class Lowering {
  public:
   Lowering(const model::System& system, Graph& graph, const std::vector<Expr>& kinematics)
-      : system_(system), graph_(graph), kinematics_(kinematics) {
+      : graph_(graph), kinematics_(kinematics) {
     lowered_.reserve(system.expressions.size());
     for (const model::Expression& expression : system.expressions) {
       lowered_.push_back(lower(expression));
@@ -60,7 +60,6 @@ class Lowering {
 
   Expr operand(const model::Expression& expression, std::size_t i) const { return (*this)[expression.operands[i]]; }
 
-  const model::System& system_;
   Graph& graph_;
   const std::vector<Expr>& kinematics_;
   std::vector<Expr> lowered_;
