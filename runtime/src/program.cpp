@@ -74,8 +74,9 @@ int run_program(AnyModel& model, int argc, char** argv) {
     csv->commit();
   }
   if (options.repeat > 0 && outcome.status == Status::Ok) {
-    outcome.wall_seconds = fastest_run(model, options);
-    outcome.monitored = false;
+    const double fastest = fastest_run(model, options);
+    outcome.monitored = interrupted();
+    outcome.wall_seconds = outcome.monitored ? outcome.wall_seconds : fastest;
   }
   if (summary) {
     summary->write(summary_json(description, outcome));
