@@ -34,6 +34,7 @@ bool is_zero(const T& x) {
   return x == T(0);
 }
 
+// min and max let a NaN of either operand pass.
 // clang-format off
 template <PlainNumber T> T add(const T& a, const T& b) { return a + b; }
 template <PlainNumber T> T subtract(const T& a, const T& b) { return a - b; }
@@ -41,8 +42,8 @@ template <PlainNumber T> T multiply(const T& a, const T& b) { return a * b; }
 template <PlainNumber T> T divide(const T& a, const T& b) { return a / b; }
 template <PlainNumber T> T negate(const T& a) { return -a; }
 template <PlainNumber T> T sign(const T& a) { return a > T(0) ? T(1) : a < T(0) ? T(-1) : a; }
-template <PlainNumber T> T minimum(const T& a, const T& b) { return a <= b ? a : b; }
-template <PlainNumber T> T maximum(const T& a, const T& b) { return b <= a ? a : b; }
+template <PlainNumber T> T minimum(const T& a, const T& b) { return a <= b || a != a ? a : b; }
+template <PlainNumber T> T maximum(const T& a, const T& b) { return b <= a || a != a ? a : b; }
 template <PlainNumber T> T less(const T& a, const T& b) { return T(a < b ? 1 : 0); }
 template <PlainNumber T> T less_equal(const T& a, const T& b) { return T(a <= b ? 1 : 0); }
 template <PlainNumber T> T equal(const T& a, const T& b) { return T(a == b ? 1 : 0); }

@@ -1,8 +1,8 @@
 // Note [folding]: what Graph::apply does to an expression beyond making it exist once.
 //
 // * Constants fold when the result is finite; 1/0 stays and is reported where it is evaluated.
-// * Numeric factors move to the front and merge: (2 x)(3 y) = 6 (x y), 2 x + 2 y = 2 (x + y), x + x = 2 x, x / 4 = 0.25
-// x.
+// * Numeric factors move to the front and merge: (2 x)(3 y) = 6 (x y), 2 x + 2 y = 2 (x + y), x + x = 2 x,
+//   x / 4 = 0.25 x; not where the merged factor would overflow or vanish.
 //   This may change the last digit of a result (as any other way of writing it would), and lets A, b and the
 //   constraint itself share x y, x + y and so on.
 // * x + 0, x - 0, 1 x, x / 1, x^1, -(-x), x - x = 0, 0 x = 0, x^0 = 1. The last three lose an infinity or a NaN that x
@@ -75,7 +75,7 @@ Expr fold_difference(Expr a, Expr b) {
   }
   const Scaled left = split(a);
   const Scaled right = split(b);
-  if (left.rest == right.rest) {
+  if (left.rest == right.rest && std::isfinite(left.factor - right.factor)) {
     return scale(left.factor - right.factor, left.rest);
   }
   if (is_zero(a)) {
@@ -100,7 +100,7 @@ Expr fold_sum(Expr a, Expr b) {
   }
   const Scaled left = split(a);
   const Scaled right = split(b);
-  if (left.rest == right.rest) {
+  if (left.rest == right.rest && std::isfinite(left.factor + right.factor)) {
     return scale(left.factor + right.factor, left.rest);
   }
   if (left.factor < 0 && right.factor < 0) {
@@ -140,21 +140,21 @@ Expr fold_product(Expr a, Expr b) {
 
 Expr fold_quotient(Expr a, Expr b) {
   Graph& graph = a.graph();
-  if (is_zero(b)) {
-    return graph.intern(Operator::Divide, std::array{a, b});
-  }
   const Scaled left = split(a);
-  if (b.is_constant() && std::isfinite(1 / b.node().value)) {
-    return scale(left.factor / b.node().value, left.rest);
-  }
   const Scaled right = split(b);
-  if (left.factor == 0) {
+  if (left.factor == 0 && right.factor != 0) {
     return number(a, 0);
   }
-  if (left.rest == right.rest) {
-    return graph.constant(left.factor / right.factor);
-  }
   const double factor = left.factor / right.factor;
+  if (factor == 0 || !std::isfinite(factor)) {
+    return graph.intern(Operator::Divide, std::array{a, b});
+  }
+  if (right.rest.is_constant(1)) {
+    return scale(factor, left.rest);
+  }
+  if (left.rest == right.rest) {
+    return graph.constant(factor);
+  }
   if (left.rest.is_constant(1)) {
     return graph.intern(Operator::Divide, std::array{graph.constant(factor), right.rest});
   }
