@@ -23,6 +23,26 @@ struct ShownLine {
   std::vector<std::size_t> column;
 };
 
+/// Of a line too long to look at, the part around byte `first`, which becomes byte `first` of the result.
+std::string clip(std::string_view line, std::size_t& first) {
+  constexpr std::size_t longest = 300, before = 100, after = 150;
+  constexpr std::string_view ellipsis = "...";
+  if (line.size() <= longest) {
+    return std::string(line);
+  }
+  std::size_t begin = first > before ? first - before : 0;
+  std::size_t end = std::min(first + after, line.size());
+  while (begin > 0 && continues_a_character(line[begin])) {
+    --begin;
+  }
+  while (end < line.size() && continues_a_character(line[end])) {
+    ++end;
+  }
+  const std::string_view head = begin > 0 ? ellipsis : "", tail = end < line.size() ? ellipsis : "";
+  first += head.size() - begin;
+  return fmt::format("{}{}{}", head, line.substr(begin, end - begin), tail);
+}
+
 ShownLine show(std::string_view line) {
   constexpr std::size_t tab_stop = 8;
   ShownLine shown;
@@ -44,9 +64,10 @@ ShownLine show(std::string_view line) {
 
 std::string excerpt(Span span, const Sources& sources, const Palette& palette) {
   const Position start = sources.position(span);
-  const std::string_view line = sources[span.file].line(start.line);
+  const std::string_view whole = sources[span.file].line(start.line);
+  std::size_t first = std::min<std::size_t>(start.column - 1, whole.size());
+  const std::string line = clip(whole, first);
   const ShownLine shown = show(line);
-  const std::size_t first = std::min<std::size_t>(start.column - 1, line.size());
   const std::size_t last = std::min<std::size_t>(first + (span.end - span.begin), line.size());
   const std::size_t indent = shown.column[first];
   const std::size_t width = std::max<std::size_t>(shown.column[last], indent + 1) - indent;

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,7 +57,7 @@ class Sources {
   std::string place(Span span) const;  ///< `file.mbd:12`, the file without directories
 
  private:
-  std::vector<Source> files_;
+  std::deque<Source> files_;  ///< does not move what is in it: tokens view their text
 };
 
 }  // namespace mbcc

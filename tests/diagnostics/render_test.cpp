@@ -46,6 +46,17 @@ TEST_CASE("the caret counts characters where the column counts bytes") {
   CHECK(rendered("# \u00E9\u221A b", 8, 9) == "model.mbd:1:9: error: `}` closes nothing\n# \u00E9\u221A b\n     ^\n");
 }
 
+TEST_CASE("of a very long line the part around the caret is shown") {
+  const std::string a(1000, 'a'), b(1000, 'b');
+  const std::string a100(100, 'a'), b149(149, 'b');
+  CHECK(rendered(a + "X" + b, 1000, 1001) == "model.mbd:1:1001: error: `}` closes nothing\n..." + a100 + "X" + b149 +
+                                                 "...\n" + std::string(103, ' ') + "^\n");
+  CHECK(rendered("X" + b, 0, 1001) ==
+        "model.mbd:1:1: error: `}` closes nothing\nX" + b149 + "...\n^" + std::string(152, '~') + "\n");
+  CHECK(rendered(a + "X", 1000, 1001) ==
+        "model.mbd:1:1001: error: `}` closes nothing\n..." + a100 + "X\n" + std::string(103, ' ') + "^\n");
+}
+
 TEST_CASE("control characters do not reach the terminal") {
   CHECK(rendered("a\x1B[1mb\r\n", 6, 7) == "model.mbd:1:7: error: `}` closes nothing\na [1mb\n      ^\n");
 }
