@@ -31,8 +31,9 @@ bench: packages
 
 fuzz: packages
 	cmake/install-packages check
-	$(call build,fuzz) --target mbcc_fuzz
-	build/fuzz/tests/fuzz/mbcc_fuzz -runs=$(or $(RUNS),200000) examples
+	$(call build,fuzz) --target fuzz_front_end
+	mkdir -p build/fuzz/corpus
+	build/fuzz/tests/fuzz/fuzz_front_end -runs=$(or $(RUNS),1000000) -dict=tests/fuzz/model.dict build/fuzz/corpus tests/fuzz/seeds examples
 
 install: all
 	cmake --install build/release --prefix $(PREFIX)
