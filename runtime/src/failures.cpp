@@ -74,7 +74,8 @@ double displacement(AnyModel& model, const Island& island, int k, std::span<cons
 std::string explain_not_finite(AnyModel& model, const std::vector<Island>& islands, double time,
                                std::span<const double> state) {
   const Description& description = model.description();
-  if (!all_finite(state)) {
+  constexpr double beyond_physics = 1e100;  // what follows overflows where such numbers are multiplied
+  if (!(extent(state) < beyond_physics) || !all_finite(state)) {
     return fmt::format("error: the motion grows without bound before t = {:.9g}", time);
   }
   std::vector<double> forces(description.forces.size());

@@ -6,7 +6,7 @@
 //   1. LDL^T of S = A M^-1 A^T, straight-line in the emitted code, as long as every pivot keeps
 //      d_k >= max(plain_pivot_ratio * S_kk, floor_k).
 //   2. LDL^T of the scaled rows and iterative refinement, residual in the factored form, while pivot ratios stay above
-//      refined_pivot_ratio.
+//      refined_pivot_ratio and rows ten times above the cut-off.
 //   3. Complete orthogonal decomposition of the scaled A M^-1/2 with the explicit relative cut-off: the pinv.
 // Steps 2 and 3 are `climb`, in the library. Rows are scaled by their size at the start, not at the state: a row that
 // vanishes on the way must be seen to vanish, and a factor on a row must not matter.
@@ -95,9 +95,9 @@ class IslandStorage {
 void climb(const Island& island, std::span<double> added);
 
 /// Takes row scales and pivot floors from island.rows, the rows at the start. Returns the number of rows that vanish
-/// there: rows that are zero, not finite or, where an earlier call has left a scale, smaller by vanishing_ratio than the
-/// S_kk which that scale stands for. Their scale is left as it was, or set to 1 if there was none. The floors depend on
-/// record->cutoff.
+/// there: rows that are zero, not finite or, where an earlier call has left a scale, smaller by vanishing_ratio than
+/// the S_kk which that scale stands for. Their scale is left as it was, or set to 1 if there was none. The floors
+/// depend on record->cutoff.
 int take_scales(const Island& island);
 
 }  // namespace mbrt
