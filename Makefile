@@ -33,7 +33,7 @@ fuzz: packages
 	cmake/install-packages check
 	$(call build,fuzz) --target fuzz_front_end
 	mkdir -p build/fuzz/corpus
-	build/fuzz/tests/fuzz/fuzz_front_end -runs=$(or $(RUNS),1000000) -dict=tests/fuzz/model.dict build/fuzz/corpus tests/fuzz/seeds examples
+	build/fuzz/tests/fuzz/fuzz_front_end -runs=$(or $(RUNS),1000000) -entropic=0 -dict=tests/fuzz/model.dict build/fuzz/corpus tests/fuzz/seeds examples
 
 install: all
 	cmake --install build/release --prefix $(PREFIX)
