@@ -104,7 +104,7 @@ void InterpretedModel::describe(const model::System& system, const Sources& sour
                   constraint_entries_,
                   force_entries_,
                   island_entries_,
-                  !program_.energy.sections.front().stores.empty(),
+                  program_.energy.sections.front().has_stores(),
                   defaults};
 }
 
@@ -120,26 +120,40 @@ void InterpretedModel::load_rates(const State& rate) {
   }
 }
 
-void InterpretedModel::execute(const program::Section& section) {
-  for (const NodeId id : section.order) {
-    const Node& node = (*program_.graph)[id];
-    std::array<const double*, 3> operands{};
-    for (std::size_t i = 0; i < node.used_operands().size(); ++i) {
-      operands[i] = &values_[node.operands[i]];
-    }
-    values_[id] = graph::perform(node.op, operands);
-  }
-}
-
 /// `put(store, value)` takes each stored value.
 template <class Put>
-void InterpretedModel::execute(const program::Kernel& kernel, const Put& put) {
-  for (const program::Section& section : kernel.sections) {
-    execute(section);
-    for (const Store& store : section.stores) {
+void InterpretedModel::execute(const program::Section& section, const Put& put) {
+  for (const program::Unit& unit : section.units) {
+    for (const NodeId id : unit.order) {
+      const Node& node = (*program_.graph)[id];
+      std::array<const double*, 3> operands{};
+      for (std::size_t i = 0; i < node.used_operands().size(); ++i) {
+        operands[i] = &values_[node.operands[i]];
+      }
+      values_[id] = graph::perform(node.op, operands);
+    }
+    for (const Store& store : unit.stores) {
       put(store, values_[store.value]);
     }
   }
+}
+
+template <class Put>
+void InterpretedModel::execute(const program::Kernel& kernel, const Put& put) {
+  for (const program::Section& section : kernel.sections) {
+    execute(section, put);
+  }
+}
+
+/// Whether every pivot is safe, after the solve has been executed.
+bool InterpretedModel::guards_hold(const program::IslandSolve& island) const {
+  const std::vector<double>& floor = islands_[island.island].floor;
+  const auto holds = [&](const program::Guard& guard) {
+    return mbrt::holds(values_[guard.pivot], values_[guard.diagonal], floor[guard.row]);
+  };
+  return std::all_of(island.solve.units.begin(), island.solve.units.end(), [&](const program::Unit& unit) {
+    return std::all_of(unit.guards.begin(), unit.guards.end(), holds);
+  });
 }
 
 void InterpretedModel::prepare() {
@@ -174,18 +188,11 @@ void InterpretedModel::rates(const State& y, State& rate) {
 }
 
 void InterpretedModel::solve(const program::IslandSolve& island, const State& y, State& rate) {
-  IslandArrays& arrays = islands_[island.island];
-  execute(island.solve);
-  for (const Store& store : island.solve.stores) {
-    rate[store.index] = values_[store.value];
-  }
-  const bool holds = !island.always_climbs &&
-                     std::all_of(island.guards.begin(), island.guards.end(), [&](const program::Guard& guard) {
-                       return mbrt::holds(values_[guard.pivot], values_[guard.diagonal], arrays.floor[guard.row]);
-                     });
-  if (holds) {
+  execute(island.solve, [&](const Store& store, double value) { rate[store.index] = value; });
+  if (!island.always_climbs && guards_hold(island)) {
     return;
   }
+  IslandArrays& arrays = islands_[island.island];
   island_rows(static_cast<int>(island.island), y);
   mbrt::climb(this->island(static_cast<int>(island.island)), arrays.added);
   const std::vector<std::size_t>& speeds = program_.islands[island.island].speeds;

@@ -48,9 +48,11 @@ class InterpretedModel {
   void describe(const model::System& system, const Sources& sources);
   void load(const State& y);
   void load_rates(const State& rate);
-  void execute(const program::Section& section);
+  template <class Put>
+  void execute(const program::Section& section, const Put& put);
   template <class Put>
   void execute(const program::Kernel& kernel, const Put& put);
+  bool guards_hold(const program::IslandSolve& island) const;
   void solve(const program::IslandSolve& island, const State& y, State& rate);
 
   const program::Program& program_;

@@ -120,7 +120,13 @@ class StructurePrinter {
   }
 
   void add(const program::Section& section) {
-    for (const program::NodeId id : section.order) {
+    for (const program::Unit& unit : section.units) {
+      add(unit);
+    }
+  }
+
+  void add(const program::Unit& unit) {
+    for (const program::NodeId id : unit.order) {
       switch ((*c_.program->graph)[id].op) {
         case Operator::Add:
         case Operator::Subtract:

@@ -43,11 +43,16 @@ constexpr std::size_t most_operations_inlined = 150;
 
 std::size_t operations(const program::Kernel& kernel) {
   std::size_t count = 0;
+  const auto add = [&count](const program::Section& section) {
+    for (const program::Unit& unit : section.units) {
+      count += unit.order.size();
+    }
+  };
   for (const program::Section& section : kernel.sections) {
-    count += section.order.size();
+    add(section);
   }
   for (const program::IslandSolve& island : kernel.islands) {
-    count += island.solve.order.size();
+    add(island.solve);
   }
   return count;
 }
@@ -91,7 +96,7 @@ std::string ClassWriter::functions() const {
   text += rates();
   text += program_.islands.empty() ? "" : island_functions();
   text += system_.constraints.empty() ? "" : constraint_errors();
-  text += program_.energy.sections.front().stores.empty() ? "" : energy();
+  text += program_.energy.sections.front().has_stores() ? energy() : "";
   text += system_.outputs.empty() ? "" : outputs();
   text += system_.forces.empty() ? "" : applied_forces();
   return text;
@@ -122,15 +127,24 @@ std::string ClassWriter::members() const {
 }
 
 Body ClassWriter::body(const program::Kernel& kernel, const Comments& comments) const {
-  return write_kernel(kernel, program_, naming_, system_.coordinates.size(), comments);
+  return write_kernel(kernel, program_, naming_, comments);
 }
 
+/// The constraints of an island, those of one statement on one line.
 std::string ClassWriter::island_comment(std::size_t island) const {
+  std::vector<std::size_t> rows = program_.islands[island].constraints;
+  std::sort(rows.begin(), rows.end());
   std::string text = fmt::format("island {} of {}\n", island + 1, program_.islands.size());
-  for (const std::size_t k : program_.islands[island].constraints) {
-    const model::Constraint& constraint = system_.constraints[k];
-    text += fmt::format("  {} ({}): {}\n", constraint.name, comment_text(sources_.place(constraint.span)),
-                        comment_text(constraint.text));
+  for (std::size_t k = 0; k < rows.size();) {
+    const model::Constraint& first = system_.constraints[rows[k]];
+    std::size_t last = k;
+    while (last + 1 < rows.size() && system_.constraints[rows[last + 1]].span == first.span) {
+      ++last;
+    }
+    const std::string& last_name = system_.constraints[rows[last]].name;
+    text += fmt::format("  {}{} ({}): {}\n", first.name, last == k ? "" : " ... " + last_name,
+                        comment_text(sources_.place(first.span)), comment_text(first.text));
+    k = last + 1;
   }
   return text;
 }
@@ -149,7 +163,7 @@ std::string ClassWriter::set_time() const {
 std::string ClassWriter::rates() const {
   const auto& sections = program_.rates.sections;
   Comments comments;
-  comments.sections = {"", sections[1].stores.empty() ? "" : "without constraints"};
+  comments.sections = {"", sections[1].has_stores() ? "without constraints" : ""};
   for (std::size_t i = 0; i < program_.islands.size(); ++i) {
     comments.islands.push_back(island_comment(i));
   }
@@ -222,6 +236,15 @@ std::string ClassWriter::island_members(std::size_t island) const {
       "  std::array<double, {1}> added{{}};\n"
       "  mbrt::climb(island, added);\n",
       number, speeds.size());
+  if (speeds.back() - speeds.front() + 1 == speeds.size()) {
+    const auto first = static_cast<long>(system_.coordinates.size() + speeds.front());
+    text += fmt::format(
+        "  for (std::size_t j = 0; j < {}; ++j) {{\n"
+        "    rate[{}] = island.rows.free[j] + added[j];\n"
+        "  }}\n",
+        speeds.size(), affine(first, 1, "j"));
+    return text + "}\n\n";
+  }
   for (std::size_t j = 0; j < speeds.size(); ++j) {
     text +=
         fmt::format("  rate[{0}] = island.rows.free[{1}] + added[{1}];\n", system_.coordinates.size() + speeds[j], j);

@@ -98,7 +98,7 @@ std::string write_description(const program::Program& program, const model::Syst
                 }));
   text += islands(program);
   const model::Integration& integration = system.integration;
-  const bool has_energy = !program.energy.sections.front().stores.empty();
+  const bool has_energy = program.energy.sections.front().has_stores();
   text += fmt::format(
       "static constexpr mbrt::Description description{{\n"
       "    {}, {}, coordinates, speeds, accelerations, outputs, parameters, constraints, forces, islands, {},\n"

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <map>
+#include <set>
 
 #include "diagnostics/assert.hpp"
+#include "emit/code.hpp"
+#include "program/roll.hpp"
 
 namespace mbcc::cpp {
 
@@ -16,157 +18,157 @@ using graph::Level;
 using graph::Node;
 using graph::NodeId;
 using graph::Operator;
+using program::Guard;
 using program::IslandSolve;
 using program::Kernel;
+using program::Operand;
 using program::Program;
+using program::RolledSection;
+using program::Run;
 using program::Section;
 using program::Store;
 using program::Target;
+using program::Unit;
 
 /// An expression that is used once is written where it is used, unless it is longer than this.
 constexpr std::size_t longest_inline_text = 70;
 
-/// The left side of the assignment that a store is.
-std::string place_of(const Store& store) {
-  switch (store.target) {
+/// The array that a store writes.
+std::string_view array_of(Target target) {
+  switch (target) {
     case Target::Initial:
-      return fmt::format("y[{}]", store.index);
+      return "y";
     case Target::Rate:
-      return fmt::format("rate[{}]", store.index);
+      return "rate";
     case Target::Matrix:
-      return fmt::format("rows.matrix[{}]", store.index);
+      return "rows.matrix";
     case Target::Residual:
-      return fmt::format("rows.residual[{}]", store.index);
+      return "rows.residual";
     case Target::Free:
-      return fmt::format("rows.free[{}]", store.index);
+      return "rows.free";
     case Target::Mobility:
-      return fmt::format("rows.mobility[{}]", store.index);
+      return "rows.mobility";
     case Target::Position:
-      return fmt::format("position[{}]", store.index);
+      return "position";
     case Target::Velocity:
-      return fmt::format("velocity[{}]", store.index);
+      return "velocity";
     case Target::Acceleration:
-      return fmt::format("acceleration[{}]", store.index);
+      return "acceleration";
     case Target::Output:
-      return fmt::format("values[{}]", store.index);
     case Target::Force:
-      return fmt::format("values[{}]", store.index);
+      return "values";
     case Target::Energy:
       break;
   }
-  MBCC_ASSERT(store.target != Target::Energy);
+  MBCC_ASSERT(target != Target::Energy);
   return {};
 }
 
 class KernelWriter {
  public:
-  KernelWriter(const Kernel& kernel, const Program& program, const Naming& naming, std::size_t coordinates)
-      : kernel_(kernel), program_(program), naming_(naming), coordinates_(coordinates), scope_(naming.scope) {
+  KernelWriter(const Kernel& kernel, const Program& program, const Naming& naming)
+      : kernel_(kernel), program_(program), graph_(*program.graph), naming_(naming), scope_(naming.scope) {
     for (const Section& section : kernel.sections) {
-      count_uses(section);
+      sections_.push_back(&section);
     }
     for (const IslandSolve& island : kernel.islands) {
-      for (const program::Guard& guard : island.guards) {
-        use(guard.diagonal);
-        use(guard.pivot);
-      }
-      count_uses(island.solve);
+      sections_.push_back(&island.solve);
     }
+    roll_sections();
+    count_uses();
   }
 
   Body write(const Comments& comments) {
     unpack_leaves();
-    for (std::size_t i = 0; i < kernel_.sections.size(); ++i) {
-      comment(i < comments.sections.size() ? comments.sections[i] : "");
-      write_section(kernel_.sections[i]);
-    }
-    for (std::size_t i = 0; i < kernel_.islands.size(); ++i) {
-      comment(comments.islands[i]);
-      write_island(kernel_.islands[i]);
+    i_ = scope_.declare("i");
+    const std::size_t plain = kernel_.sections.size();
+    for (std::size_t s = 0; s < sections_.size(); ++s) {
+      const std::vector<std::string>& list = s < plain ? comments.sections : comments.islands;
+      const std::size_t at = s < plain ? s : s - plain;
+      comment(at < list.size() ? list[at] : "");
+      if (s < plain) {
+        write_section(*sections_[s], rolled_[s]);
+      } else {
+        write_island(kernel_.islands[at], rolled_[s]);
+      }
     }
     for (const NodeId id : kernel_.provides) {
-      body_.text += fmt::format("{} = {};\n", naming_.members.at(id), text_of(id).text);
+      line(fmt::format("{} = {};", naming_.members.at(id), code_of(id).text));
     }
     return std::move(body_);
   }
 
  private:
-  void use(NodeId id) { ++uses_[id]; }
-
-  void count_uses(const Section& section) {
-    for (const NodeId id : section.order) {
-      for (const NodeId operand : (*program_.graph)[id].used_operands()) {
-        use(operand);
+  /// Calls `visit(id)` with every value that a unit reads, leaves and constants included.
+  template <class Visit>
+  void for_each_read(const Unit& unit, const Visit& visit) const {
+    for (const NodeId id : unit.order) {
+      for (const NodeId operand : graph_[id].used_operands()) {
+        visit(operand);
       }
     }
-    for (const Store& store : section.stores) {
-      use(store.value);
+    for (const Store& store : unit.stores) {
+      visit(store.value);
+    }
+    for (const Guard& guard : unit.guards) {
+      visit(guard.diagonal);
+      visit(guard.pivot);
     }
   }
 
-  /// sin and cos of one argument that one section needs are computed together.
-  void find_pairs(const Section& section) {
-    sines_.clear();
-    cosines_.clear();
-    for (const NodeId id : section.order) {
-      const Node& node = (*program_.graph)[id];
-      if (node.op == Operator::Sin) {
-        sines_[node.operands[0]] = id;
-      } else if (node.op == Operator::Cos) {
-        cosines_[node.operands[0]] = id;
+  void roll_sections() {
+    std::map<NodeId, std::set<const Section*>> readers;
+    for (const Section* section : sections_) {
+      for (const Unit& unit : section->units) {
+        for_each_read(unit, [&](NodeId id) { readers[id].insert(section); });
       }
+    }
+    for (const Section* section : sections_) {
+      std::set<NodeId> used_elsewhere(kernel_.provides.begin(), kernel_.provides.end());
+      for (const auto& [id, sections] : readers) {
+        if (sections.size() > 1 || !sections.contains(section)) {
+          used_elsewhere.insert(id);
+        }
+      }
+      rolled_.push_back(program::roll(*section, graph_, used_elsewhere));
+    }
+  }
+
+  /// Counts what is written out: of a loop that is its first iteration.
+  void count_uses() {
+    for (std::size_t s = 0; s < sections_.size(); ++s) {
+      for (const Run& run : rolled_[s].runs) {
+        const bool is_loop = run.iterations > 1;
+        for (std::size_t u = run.first; u < run.first + run.period; ++u) {
+          for_each_read(sections_[s]->units[u], [&](NodeId id) {
+            ++uses_[id];
+            const Kind kind = graph_[id].kind;
+            body_.reads_state |= kind == Kind::Coordinate || kind == Kind::Speed;
+            body_.reads_rate |= kind == Kind::Acceleration;
+            if (kind != Kind::Apply && kind != Kind::Constant && (!is_loop || kind == Kind::Time)) {
+              unpacked_leaves_.emplace(std::pair{kind, graph_[id].index}, id);
+            }
+          });
+        }
+      }
+    }
+    for (const NodeId id : kernel_.provides) {
+      ++uses_[id];
     }
   }
 
   void unpack_leaves() {
-    std::map<std::pair<Kind, std::uint32_t>, NodeId> leaves;
-    for (const auto& [id, count] : uses_) {
-      const Node& node = (*program_.graph)[id];
-      if (node.kind != Kind::Apply && node.kind != Kind::Constant) {
-        leaves.emplace(std::pair{node.kind, node.index}, id);
-      }
-    }
-    for (const auto& [leaf, id] : leaves) {
+    for (const auto& [leaf, id] : unpacked_leaves_) {
       const auto [kind, index] = leaf;
-      const bool is_component = kind == Kind::Coordinate || kind == Kind::Speed;
-      body_.reads_state |= is_component;
-      body_.reads_rate |= kind == Kind::Acceleration;
-      codes_[id] = {name_of_leaf(kind, index), Binding::Primary};
-      if (kind == Kind::Time) {
-        body_.text += kernel_.level == Level::Time ? "" : "const double t = t_;\n";
-        continue;
+      codes_[id] = {naming_.name_of_leaf(kind, index), Binding::Primary};
+      if (kind != Kind::Time || kernel_.level != Level::Time) {
+        const std::string source = Naming::source_of_leaf(kind, std::to_string(naming_.offset_of(kind) + index));
+        line(fmt::format("const double {} = {};", codes_[id].text, source));
       }
-      body_.text += fmt::format("const double {} = {};\n", codes_[id].text, source_of_leaf(kind, index));
     }
   }
 
-  std::string name_of_leaf(Kind kind, std::uint32_t index) const {
-    switch (kind) {
-      case Kind::Coordinate:
-        return naming_.coordinates[index];
-      case Kind::Speed:
-        return naming_.speeds[index];
-      case Kind::Acceleration:
-        return naming_.accelerations[index];
-      case Kind::Parameter:
-        return naming_.parameters[index];
-      default:
-        return "t";
-    }
-  }
-
-  std::string source_of_leaf(Kind kind, std::uint32_t index) const {
-    switch (kind) {
-      case Kind::Coordinate:
-        return fmt::format("y[{}]", index);
-      case Kind::Speed:
-        return fmt::format("y[{}]", coordinates_ + index);
-      case Kind::Acceleration:
-        return fmt::format("rate[{}]", coordinates_ + index);
-      default:
-        return fmt::format("parameters_[{}]", index);
-    }
-  }
+  void line(std::string_view text) { body_.text += fmt::format("{}{}\n", indentation_, text); }
 
   void comment(const std::string& lines) {
     if (lines.empty()) {
@@ -176,87 +178,213 @@ class KernelWriter {
     std::size_t begin = 0;
     while (begin < lines.size()) {
       const std::size_t end = std::min(lines.find('\n', begin), lines.size());
-      body_.text += "// " + lines.substr(begin, end - begin) + "\n";
+      line("// " + lines.substr(begin, end - begin));
       begin = end + 1;
     }
   }
 
-  void write_section(const Section& section) {
-    find_pairs(section);
-    for (const NodeId id : section.order) {
-      compute(id);
-    }
-    for (const Store& store : section.stores) {
-      const std::string value = text_of(store.value).text;
-      body_.text += store.target == Target::Energy ? fmt::format("return {};\n", value)
-                                                   : fmt::format("{} = {};\n", place_of(store), value);
+  void write_section(const Section& section, const RolledSection& rolled) {
+    section_ = &section;
+    current_ = &rolled;
+    declare_arrays();
+    for (const Run& run : rolled.runs) {
+      run_ = &run;
+      if (run.iterations == 1) {
+        write_iteration();
+      } else {
+        write_loop();
+      }
     }
   }
 
-  void write_island(const IslandSolve& island) {
+  void declare_arrays() {
+    arrays_.assign(current_->array_sizes.size(), "");
+    std::map<std::size_t, NodeId> first_of_array;
+    for (const auto& [id, element] : current_->elements) {
+      if (element.index == 0) {
+        first_of_array[element.array] = id;
+      }
+    }
+    for (const auto& [array, id] : first_of_array) {
+      const auto named = program_.names.find(id);
+      arrays_[array] = named == program_.names.end()
+                           ? scope_.enumerate("a")
+                           : scope_.declare(named->second.substr(0, named->second.find_first_of("[.")) + "_all");
+      line(fmt::format("std::array<double, {}> {};", current_->array_sizes[array], arrays_[array]));
+    }
+  }
+
+  void write_loop() {
+    declare_carried();
+    line(fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0}) {{", i_, run_->iterations));
+    indentation_ = "  ";
+    const std::unordered_map<NodeId, Code> outside = codes_;
+    write_iteration();
+    for (const auto& [producer, carried] : carried_) {
+      line(fmt::format("{} = {};", carried, codes_.at(producer).text));
+    }
+    codes_ = outside;
+    indentation_ = "";
+    line("}");
+    for (std::size_t u = run_->first; u < run_->first + run_->period * run_->iterations; ++u) {
+      for (const NodeId id : section_->units[u].order) {
+        const auto element = current_->elements.find(id);
+        if (element != current_->elements.end()) {
+          codes_[id] = {fmt::format("{}[{}]", arrays_[element->second.array], element->second.index), Binding::Primary};
+        }
+      }
+    }
+  }
+
+  /// Values that one iteration computes and the next one reads stay in variables: a chain of pivots must not wait for
+  /// memory.
+  void declare_carried() {
+    carried_.clear();
+    for (std::size_t r = 0; r < run_->period; ++r) {
+      const Unit& unit = section_->units[run_->first + r];
+      const Unit& next = section_->units[run_->first + run_->period + r];
+      for (std::size_t k = 0; k < unit.order.size(); ++k) {
+        const Node& node = graph_[unit.order[k]];
+        for (std::size_t o = 0; o < node.used_operands().size(); ++o) {
+          const Operand operand = operand_of(node.operands[o], graph_[next.order[k]].operands[o]);
+          if (operand.kind == Operand::Kind::Carried && !carried_.contains(operand.producer)) {
+            const std::string name = scope_.enumerate("v");
+            line(fmt::format("double {} = {};", name, code_of(operand.node).text));
+            carried_.emplace(operand.producer, name);
+          }
+        }
+      }
+    }
+  }
+
+  Operand operand_of(NodeId id, NodeId next) const {
+    return program::operand_of(id, next, *run_, *section_, *current_, graph_);
+  }
+
+  /// The units of one iteration: of a loop, or the one unit that is written out.
+  void write_iteration() {
+    find_pairs();
+    for (std::size_t r = 0; r < run_->period; ++r) {
+      const Unit& unit = section_->units[run_->first + r];
+      const Unit& next = section_->units[run_->first + r + (run_->iterations > 1 ? run_->period : 0)];
+      for (std::size_t k = 0; k < unit.order.size(); ++k) {
+        compute(unit.order[k], next.order[k]);
+      }
+      for (std::size_t k = 0; k < unit.stores.size(); ++k) {
+        write_store(unit.stores[k], next.stores[k]);
+      }
+      for (std::size_t k = 0; k < unit.guards.size(); ++k) {
+        write_guard(unit.guards[k], next.guards[k]);
+      }
+    }
+  }
+
+  void write_store(const Store& store, const Store& next) {
+    const std::string value = read(store.value, next.value).text;
+    if (store.target == Target::Energy) {
+      line(fmt::format("return {};", value));
+      return;
+    }
+    line(fmt::format("{}[{}] = {};", array_of(store.target), index_text(store.index, next.index), value));
+  }
+
+  void write_guard(const Guard& guard, const Guard& next) {
+    const std::string floor = fmt::format("{}.floor({})", island_, index_text(guard.row, next.row));
+    const std::string pivot = read(guard.pivot, next.pivot).text;
+    line(guard.diagonal == guard.pivot ? fmt::format("{} &= {} >= {};", safe_, pivot, floor)
+                                       : fmt::format("{} &= mbrt::holds({}, {}, {});", safe_, pivot,
+                                                     read(guard.diagonal, next.diagonal).text, floor));
+  }
+
+  std::string index_text(std::size_t first, std::size_t next) const {
+    return affine(static_cast<long>(first), static_cast<long>(next) - static_cast<long>(first), i_);
+  }
+
+  void write_island(const IslandSolve& island, const RolledSection& rolled) {
     const std::size_t number = island.island + 1;
+    const std::string climb = fmt::format("climb_{}(y, rate);", number);
     if (island.always_climbs) {
-      body_.text += fmt::format("climb_{}(y, rate);\n", number);
+      line(climb);
       body_.reads_state = true;
       return;
     }
-    write_section(island.solve);
-    if (island.guards.empty()) {
-      return;
-    }
     // One flag and one branch: the pivot tests then cost next to nothing.
-    const std::string flag = scope_.declare("safe");
-    std::string_view assignment = "bool {} = ";
-    for (const program::Guard& guard : island.guards) {
-      const std::string floor = fmt::format("island_{}_.floor({})", number, guard.row);
-      const std::string pivot = text_of(guard.pivot).text;
-      body_.text += fmt::format(fmt::runtime(assignment), flag);
-      body_.text += guard.diagonal == guard.pivot
-                        ? fmt::format("{} >= {};\n", pivot, floor)
-                        : fmt::format("mbrt::holds({}, {}, {});\n", pivot, text_of(guard.diagonal).text, floor);
-      assignment = "{} &= ";
+    const bool guarded = island.solve.has_guards();
+    island_ = fmt::format("island_{}_", number);
+    safe_ = guarded ? scope_.declare("safe") : "";
+    if (guarded) {
+      line(fmt::format("bool {} = true;", safe_));
     }
-    body_.text += fmt::format("if (!{}) [[unlikely]] {{\n  climb_{}(y, rate);\n}}\n", flag, number);
-    body_.reads_state = true;
+    write_section(island.solve, rolled);
+    if (guarded) {
+      line(fmt::format("if (!{}) [[unlikely]] {{", safe_));
+      line("  " + climb);
+      line("}");
+      body_.reads_state = true;
+    }
   }
 
-  /// Gives `id` its code: a line of its own if it is used more than once, has a name in the model, or is long.
-  void compute(NodeId id) {
+  /// Gives a value its code: a line of its own if it is used more than once, has a name in the model, or is long.
+  void compute(NodeId id, NodeId next) {
     if (codes_.contains(id)) {
-      return;
+      return;  // the second of a pair
     }
-    const Node& node = (*program_.graph)[id];
-    if (write_pair(node)) {
-      return;
+    const Node& node = graph_[id];
+    if (!write_pair(id, next)) {
+      std::vector<Code> operands;
+      for (std::size_t k = 0; k < node.used_operands().size(); ++k) {
+        operands.push_back(read(node.operands[k], graph_[next].operands[k]));
+      }
+      const Code code = compose(node.op, operands);
+      if (uses_[id] > 1 || program_.names.contains(id) || code.text.size() > longest_inline_text ||
+          current_->elements.contains(id)) {
+        const std::string name = declare(id);
+        line(fmt::format("const double {} = {};", name, code.text));
+        codes_[id] = {name, Binding::Primary};
+      } else {
+        codes_[id] = code;
+      }
     }
-    std::vector<Code> operands;
-    for (const NodeId operand : node.used_operands()) {
-      operands.push_back(text_of(operand));
-    }
-    const Code code = compose(node.op, operands);
-    if (uses_[id] > 1 || program_.names.contains(id) || code.text.size() > longest_inline_text) {
-      const std::string name = declare(id);
-      body_.text += fmt::format("const double {} = {};\n", name, code.text);
-      codes_[id] = {name, Binding::Primary};
-    } else {
-      codes_[id] = code;
+    write_element(id, next);
+  }
+
+  /// Keeps a value that other iterations read.
+  void write_element(NodeId id, NodeId next) {
+    const auto element = current_->elements.find(id);
+    if (element != current_->elements.end()) {
+      const long stride = current_->elements.at(next).index - element->second.index;
+      line(fmt::format("{}[{}] = {};", arrays_[element->second.array], affine(element->second.index, stride, i_),
+                       codes_.at(id).text));
     }
   }
 
-  /// sin and cos of one argument with one call, if the kernel needs both.
-  bool write_pair(const Node& node) {
-    if (node.op != Operator::Sin && node.op != Operator::Cos) {
-      return false;
+  /// sin and cos of one argument that one iteration needs are computed together.
+  void find_pairs() {
+    sines_.clear();
+    cosines_.clear();
+    for (std::size_t u = run_->first; u < run_->first + run_->period; ++u) {
+      for (const NodeId id : section_->units[u].order) {
+        const Node& node = graph_[id];
+        if (node.op == Operator::Sin) {
+          sines_[node.operands[0]] = id;
+        } else if (node.op == Operator::Cos) {
+          cosines_[node.operands[0]] = id;
+        }
+      }
     }
+  }
+
+  bool write_pair(NodeId id, NodeId next) {
+    const Node& node = graph_[id];
     const auto sine = sines_.find(node.operands[0]);
     const auto cosine = cosines_.find(node.operands[0]);
-    if (sine == sines_.end() || cosine == cosines_.end()) {
+    if ((node.op != Operator::Sin && node.op != Operator::Cos) || sine == sines_.end() || cosine == cosines_.end()) {
       return false;
     }
     const std::string sine_name = declare(sine->second);
     const std::string cosine_name = declare(cosine->second);
-    body_.text += fmt::format("const auto [{}, {}] = mbrt::sincos({});\n", sine_name, cosine_name,
-                              text_of(node.operands[0]).text);
+    line(fmt::format("const auto [{}, {}] = mbrt::sincos({});", sine_name, cosine_name,
+                     read(node.operands[0], graph_[next].operands[0]).text));
     codes_[sine->second] = {sine_name, Binding::Primary};
     codes_[cosine->second] = {cosine_name, Binding::Primary};
     return true;
@@ -265,18 +393,44 @@ class KernelWriter {
   std::string declare(NodeId id) {
     const auto named = program_.names.find(id);
     if (named != program_.names.end()) {
-      return scope_.declare(named->second);
+      return scope_.declare(run_->iterations > 1 ? named->second.substr(0, named->second.find_first_of("[."))
+                                                 : named->second);
     }
-    const Node& node = (*program_.graph)[id];
+    const Node& node = graph_[id];
     return scope_.enumerate(node.op == Operator::Sin ? "s" : node.op == Operator::Cos ? "c" : "e");
   }
 
-  Code text_of(NodeId id) const {
+  /// The code of a value that is read, in a loop where the second iteration reads `next` instead.
+  Code read(NodeId id, NodeId next) const {
+    if (run_->iterations == 1) {
+      return code_of(id);
+    }
+    const Operand operand = operand_of(id, next);
+    const std::string index = affine(operand.first, operand.stride, i_);
+    switch (operand.kind) {
+      case Operand::Kind::Carried:
+        if (carried_.contains(operand.producer)) {
+          return {carried_.at(operand.producer), Binding::Primary};
+        }
+        [[fallthrough]];
+      case Operand::Kind::Element:
+        return {fmt::format("{}[{}]", arrays_[operand.array], index), Binding::Primary};
+      case Operand::Kind::Leaf: {
+        const Kind kind = graph_[id].kind;
+        const long offset = static_cast<long>(naming_.offset_of(kind));
+        return {Naming::source_of_leaf(kind, affine(operand.first + offset, operand.stride, i_)), Binding::Primary};
+      }
+      default:
+        return code_of(id);
+    }
+  }
+
+  Code code_of(NodeId id) const {
     const auto found = codes_.find(id);
     if (found != codes_.end()) {
       return found->second;
     }
-    const Node& node = (*program_.graph)[id];
+    const Node& node = graph_[id];
     if (node.kind == Kind::Constant) {
       return literal(node.value);
     }
@@ -287,45 +441,45 @@ class KernelWriter {
 
   const Kernel& kernel_;
   const Program& program_;
+  const graph::Graph& graph_;
   const Naming& naming_;
-  std::size_t coordinates_;
+  std::vector<const Section*> sections_;  ///< of the kernel, then of its islands
+  std::vector<RolledSection> rolled_;     ///< one per section
+  std::map<NodeId, int> uses_;
+  std::map<std::pair<Kind, std::uint32_t>, NodeId> unpacked_leaves_;
+
   Scope scope_;
   Body body_;
-  std::map<NodeId, int> uses_;
-  std::map<NodeId, NodeId> sines_, cosines_;  ///< of the section being written, by argument
+  std::string i_;  ///< the index of loops
   std::unordered_map<NodeId, Code> codes_;
+
+  // Where the writer stands.
+  std::string indentation_;
+  const Section* section_ = nullptr;
+  const RolledSection* current_ = nullptr;
+  const Run* run_ = nullptr;
+  std::vector<std::string> arrays_;           ///< names, by array of the section
+  std::map<NodeId, NodeId> sines_, cosines_;  ///< of the iteration, by argument
+  std::map<NodeId, std::string> carried_;     ///< variables that loops carry, by the value that they become
+  std::string island_;
+  std::string safe_;
 };
 
 }  // namespace
 
-Naming make_naming(const model::System& system, const Program& program) {
-  Naming naming;
-  for (const model::Coordinate& coordinate : system.coordinates) {
-    naming.coordinates.push_back(naming.scope.declare(coordinate.name));
+std::string affine(long first, long stride, const std::string& i) {
+  if (stride == 0) {
+    return std::to_string(first);
   }
-  for (const model::Speed& speed : system.speeds) {
-    naming.speeds.push_back(naming.scope.declare(speed.name));
-    naming.accelerations.push_back(naming.scope.declare(speed.acceleration));
+  const std::string steps = std::abs(stride) == 1 ? i : fmt::format("{} * {}", std::abs(stride), i);
+  if (stride < 0) {
+    return fmt::format("{} - {}", first, steps);
   }
-  for (const model::Parameter& parameter : system.parameters) {
-    naming.parameters.push_back(naming.scope.declare(parameter.name));
-  }
-  for (const Kernel* kernel : {&program.prepare, &program.time}) {
-    for (const NodeId id : kernel->provides) {
-      const auto named = program.names.find(id);
-      const std::string name = named != program.names.end()
-                                   ? naming.scope.declare(named->second)
-                                   : naming.scope.enumerate(kernel == &program.time ? "t" : "p");
-      naming.members.emplace(id, name + "_");
-    }
-  }
-  naming.keeps_time = program.keeps_time;
-  return naming;
+  return first == 0 ? steps : fmt::format("{} + {}", steps, first);
 }
 
-Body write_kernel(const Kernel& kernel, const Program& program, const Naming& naming, std::size_t coordinates,
-                  const Comments& comments) {
-  return KernelWriter(kernel, program, naming, coordinates).write(comments);
+Body write_kernel(const Kernel& kernel, const Program& program, const Naming& naming, const Comments& comments) {
+  return KernelWriter(kernel, program, naming).write(comments);
 }
 
 }  // namespace mbcc::cpp

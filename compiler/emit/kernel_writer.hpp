@@ -2,25 +2,12 @@
 // Kernels of a Program as the bodies of C++ functions.
 
 #include <string>
-#include <unordered_map>
 #include <vector>
 
-#include "emit/code.hpp"
-#include "emit/names.hpp"
-#include "model/system.hpp"
+#include "emit/naming.hpp"
 #include "program/program.hpp"
 
 namespace mbcc::cpp {
-
-/// The identifiers that all kernels of a class share: leaves and members.
-struct Naming {
-  Scope scope;  ///< with all of them declared; each kernel goes on with a copy
-  std::vector<std::string> coordinates, speeds, accelerations, parameters;
-  std::unordered_map<program::NodeId, std::string> members;  ///< values kept between kernels
-  bool keeps_time = false;                                   ///< whether a kernel reads t itself
-};
-
-Naming make_naming(const model::System& system, const program::Program& program);
 
 /// Comments before the parts of a kernel: lines without `//`, empty for none.
 struct Comments {
@@ -35,7 +22,11 @@ struct Body {
   bool reads_rate = false;
 };
 
+/// Straight-line code, and loops for what repeats itself (program/roll.hpp).
 Body write_kernel(const program::Kernel& kernel, const program::Program& program, const Naming& naming,
-                  std::size_t coordinates, const Comments& comments);
+                  const Comments& comments);
+
+/// `first + stride * i` without what is nothing: "4", "i", "3 * i + 4", "98 - 2 * i".
+std::string affine(long first, long stride, const std::string& i);
 
 }  // namespace mbcc::cpp

@@ -46,7 +46,7 @@ Expr Graph::leaf(Kind kind, std::uint32_t index) {
   return intern(node);
 }
 
-Expr Graph::intern(Operator op, std::span<const Expr> operands) {
+Node Graph::application(Operator op, std::span<const Expr> operands) const {
   MBCC_ASSERT(operands.size() == static_cast<std::size_t>(arity(op)));
   Node node;
   node.kind = Kind::Apply;
@@ -56,7 +56,13 @@ Expr Graph::intern(Operator op, std::span<const Expr> operands) {
     node.operands[i] = operands[i].id();
     node.level = std::max(node.level, operands[i].level());
   }
-  return intern(node);
+  return node;
+}
+
+Expr Graph::intern(Operator op, std::span<const Expr> operands) { return intern(application(op, operands)); }
+
+bool Graph::contains(Operator op, std::span<const Expr> operands) const {
+  return ids_.contains(application(op, operands));
 }
 
 }  // namespace mbcc::graph

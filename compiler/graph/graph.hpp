@@ -70,6 +70,9 @@ class Graph {
   /// The node exactly as asked for, except that it exists once.
   Expr intern(Operator op, std::span<const Expr> operands);
 
+  /// Whether that node exists already.
+  bool contains(Operator op, std::span<const Expr> operands) const;
+
   std::size_t size() const { return nodes_.size(); }
   const Node& operator[](NodeId id) const { return nodes_[id]; }
   Expr at(NodeId id) { return {*this, id}; }
@@ -82,6 +85,7 @@ class Graph {
     bool operator()(const Node& a, const Node& b) const;
   };
 
+  Node application(Operator op, std::span<const Expr> operands) const;
   Expr intern(const Node& node);
 
   std::vector<Node> nodes_;
@@ -107,5 +111,8 @@ inline Expr operator/(Expr a, Expr b) { return divide(a, b); }
 inline Expr operator-(Expr a) { return negate(a); }
 inline Expr number(Expr like, double x) { return like.graph().constant(x); }
 inline bool is_zero(Expr a) { return a.is_constant(0); }
+
+/// The constant c of an expression c * rest in canonical form; 1 if there is none.
+double numeric_factor(Expr x);
 
 }  // namespace mbcc::graph

@@ -10,7 +10,8 @@
 //   a factor of zero says that the scene does not need x.
 // * x x = x^2, so that squares exist once however they are written; (-x)^2 = x^2. (Program turns integer powers
 //   into multiplications.)
-// * Sums and products are ordered by node, so that a + b is b + a. Nothing is reassociated.
+// * Sums and products are ordered by node, so that a + b is b + a; where b - a exists, a - b is -(b - a). Nothing is
+//   reassociated.
 // * `if` of a constant condition, or with equal sides, is its side.
 
 #include <algorithm>
@@ -60,9 +61,7 @@ Expr scale(double factor, Expr rest) {
     return rest;
   }
   if (factor == -1) {
-    return is(rest, Operator::Subtract)
-               ? graph.intern(Operator::Subtract, std::array{operand(rest, 1), operand(rest, 0)})
-               : graph.intern(Operator::Negate, std::array{rest});
+    return graph.intern(Operator::Negate, std::array{rest});
   }
   return graph.intern(Operator::Multiply, std::array{graph.constant(factor), rest});
 }
@@ -90,6 +89,9 @@ Expr fold_difference(Expr a, Expr b) {
   }
   if (left.factor == right.factor && left.factor != 1 && !a.is_constant() && !b.is_constant()) {
     return scale(left.factor, fold_difference(left.rest, right.rest));
+  }
+  if (a.graph().contains(Operator::Subtract, std::array{b, a})) {
+    return scale(-1, a.graph().intern(Operator::Subtract, std::array{b, a}));
   }
   return a.graph().intern(Operator::Subtract, std::array{a, b});
 }
@@ -180,6 +182,8 @@ Expr fold_power(Expr a, Expr b) {
 }
 
 }  // namespace
+
+double numeric_factor(Expr x) { return split(x).factor; }
 
 Expr Graph::apply(Operator op, std::span<const Expr> operands) {
   if (std::all_of(operands.begin(), operands.end(), [](Expr x) { return x.is_constant(); })) {

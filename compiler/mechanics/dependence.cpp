@@ -76,7 +76,7 @@ std::vector<Dependence> find_dependences(const Island& island, const Derivatives
       independent.push_back(k);
       continue;
     }
-    Dependence dependence{rows[static_cast<std::size_t>(k)], {}};
+    Dependence dependence{rows[static_cast<std::size_t>(k)], {}, 0};
     if (rank > 0 && scaled.size[k] > 0) {
       const VectorXd coefficients =
           scaled.matrix(Eigen::all, independent).colPivHouseholderQr().solve(scaled.matrix.col(k));
@@ -85,6 +85,7 @@ std::vector<Dependence> find_dependences(const Island& island, const Derivatives
         if (std::abs(coefficients[j]) > rank_cutoff) {
           dependence.on.emplace_back(rows[static_cast<std::size_t>(other)],
                                      coefficients[j] * scaled.size[k] / scaled.size[other]);
+          dependence.growth = std::max(dependence.growth, std::abs(coefficients[j]));
         }
       }
     }

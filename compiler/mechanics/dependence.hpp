@@ -15,6 +15,7 @@ inline constexpr double rank_cutoff = 1e-8;
 struct Dependence {
   std::size_t row;
   std::vector<std::pair<std::size_t, double>> on;  ///< nonzero coefficients by row
+  double growth = 0;                               ///< the largest of them between rows of size 1
 };
 
 /// All rows of the island, the held ones too, are taken in the order of the model, so that it is the later one of two

@@ -25,6 +25,7 @@ struct Row {
   Expr value;                  ///< h or g
   Expr rate;                   ///< dh/dt along the motion; g where nonholonomic
   Expr residual;               ///< b - A a
+  double content = 1;          ///< numeric factor that all entries share; the solve uses the row divided by it
 };
 
 /// Rows and speeds that have to be solved together: a connected component of the graph that A makes of the speeds.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "graph/dual.hpp"
 #include "mechanics/derivatives.hpp"
@@ -73,18 +74,28 @@ std::vector<Entry> entries_of(const model::System& system, Expr constraint, bool
   return entries;
 }
 
+/// The size of the numeric factor of the entries, if it is the same in all: 2 for a squared distance.
+double content_of(const std::vector<Entry>& entries) {
+  const double content = entries.empty() ? 1 : std::abs(numeric_factor(entries.front().value));
+  const bool shared = std::all_of(entries.begin(), entries.end(), [content](const Entry& entry) {
+    return std::abs(numeric_factor(entry.value)) == content;
+  });
+  return shared && content > 0 ? content : 1;
+}
+
 Row differentiate_constraint(const model::System& system, const Equations& equations, std::size_t k,
                              const std::vector<Expr>& free) {
   const Expr value = equations.constraints[k];
   const bool holonomic = system.constraints[k].holonomic;
   const Rates rates = along_unaccelerated_motion(value, equations.kinematics);
   const Expr b = holonomic ? -rates.second : -rates.first;
-  Row row{k, entries_of(system, value, holonomic), b, value, holonomic ? rates.first : value, b};
+  Row row{k, entries_of(system, value, holonomic), b, value, holonomic ? rates.first : value, b, 1};
   Expr of_free_motion = number(value, 0);
   for (const Entry& entry : row.entries) {
     of_free_motion = of_free_motion + entry.value * free[entry.speed];
   }
   row.residual = b - of_free_motion;
+  row.content = content_of(row.entries);
   return row;
 }
 

@@ -10,9 +10,12 @@ namespace {
 /// A sparse column or row: position in the elimination order to value, structural zeros absent.
 using Sparse = std::map<std::size_t, Expr>;
 
-/// sum over the speeds that both rows have of A_kj A_lj / m_j; nothing if they share none.
+Expr divided(Expr value, double content) { return value / number(value, content); }
+
+/// sum over the speeds that both rows have of A_kj A_lj / m_j; nothing if they share none. Equal terms are counted, not
+/// added: the two ends of a rod contribute alike.
 std::optional<Expr> product(const Row& k, const Row& l, const std::vector<Expr>& mobility) {
-  std::optional<Expr> sum;
+  std::vector<std::pair<Expr, int>> terms;
   auto left = k.entries.begin();
   auto right = l.entries.begin();
   while (left != k.entries.end() && right != l.entries.end()) {
@@ -21,11 +24,22 @@ std::optional<Expr> product(const Row& k, const Row& l, const std::vector<Expr>&
     } else if (right->speed < left->speed) {
       ++right;
     } else {
-      const Expr term = left->value * right->value * mobility[left->speed];
-      sum = sum ? *sum + term : term;
+      const Expr term = divided(left->value, k.content) * divided(right->value, l.content) * mobility[left->speed];
+      const auto same =
+          std::find_if(terms.begin(), terms.end(), [&](const auto& other) { return other.first == term; });
+      if (same == terms.end()) {
+        terms.emplace_back(term, 1);
+      } else {
+        ++same->second;
+      }
       ++left;
       ++right;
     }
+  }
+  std::optional<Expr> sum;
+  for (const auto& [term, count] : terms) {
+    const Expr multiple = number(term, count) * term;
+    sum = sum ? *sum + multiple : multiple;
   }
   return sum;
 }
@@ -55,11 +69,61 @@ std::vector<Sparse> assemble(const Island& island, const Derivatives& derivative
   return columns;
 }
 
+/// Fills `rows` and `couplings`.
+void list_in_model_order(const Island& island, const Derivatives& derivatives, const std::vector<Sparse>& columns,
+                         Elimination& result) {
+  std::map<std::size_t, std::map<std::size_t, Expr>> entries;  // by row, then by earlier row
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (const auto& [l, entry] : columns[k]) {
+      const auto [earlier, later] = std::minmax(island.rows[k], island.rows[l]);
+      entries[later].emplace(earlier, entry);
+    }
+  }
+  for (const auto& [row, of_row] : entries) {
+    const Row& own = derivatives.rows[row];
+    result.rows.push_back({divided(own.residual, own.content), of_row.at(row)});
+    std::vector<Expr> coupled;
+    for (const auto& [earlier, entry] : of_row) {
+      if (earlier != row) {
+        coupled.push_back(entry);
+      }
+    }
+    if (!coupled.empty()) {
+      result.couplings.push_back(std::move(coupled));
+    }
+  }
+}
+
 void subtract_from(Sparse& column, std::size_t position, Expr term) {
   const auto [found, is_new] = column.try_emplace(position, -term);
   if (!is_new) {
     found->second = found->second - term;
   }
+}
+
+/// c = M^-1 A^T z per speed of the island, terms in the order of the model.
+std::vector<Expr> accelerations(const Island& island, const Derivatives& derivatives,
+                                const std::vector<Expr>& multipliers, graph::Graph& graph) {
+  std::map<std::size_t, Expr> of_row;
+  for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    of_row.emplace(island.rows[k], multipliers[k]);
+  }
+  std::map<std::size_t, Expr> of_speed;
+  for (const auto& [row, multiplier] : of_row) {
+    for (const Entry& entry : derivatives.rows[row].entries) {
+      const Expr term = divided(entry.value, derivatives.rows[row].content) * multiplier;
+      const auto [found, is_new] = of_speed.try_emplace(entry.speed, term);
+      if (!is_new) {
+        found->second = found->second + term;
+      }
+    }
+  }
+  std::vector<Expr> added;
+  for (const std::size_t speed : island.speeds) {
+    const auto found = of_speed.find(speed);
+    added.push_back(found == of_speed.end() ? graph.constant(0) : found->second * derivatives.mobility[speed]);
+  }
+  return added;
 }
 
 }  // namespace
@@ -68,10 +132,12 @@ Elimination eliminate(const Island& island, const Derivatives& derivatives, grap
   const std::size_t size = island.rows.size();
   std::vector<Sparse> columns = assemble(island, derivatives);  // becomes L D, column by column
   Elimination result;
+  list_in_model_order(island, derivatives, columns, result);
   std::vector<Sparse> factor(size);  // L below its unit diagonal
   for (std::size_t k = 0; k < size; ++k) {
     result.pivots.push_back({island.rows[k], columns[k].at(k), columns[k].at(k)});
-    result.forward.push_back(derivatives.rows[island.rows[k]].residual);
+    const Row& row = derivatives.rows[island.rows[k]];
+    result.forward.push_back(divided(row.residual, row.content));
   }
   for (std::size_t k = 0; k < size; ++k) {
     const Expr pivot = columns[k].at(k);
@@ -98,17 +164,7 @@ Elimination eliminate(const Island& island, const Derivatives& derivatives, grap
     }
     result.multipliers[k] = z;
   }
-  for (const std::size_t speed : island.speeds) {
-    result.added.push_back(graph.constant(0));
-    for (std::size_t k = 0; k < size; ++k) {
-      for (const Entry& entry : derivatives.rows[island.rows[k]].entries) {
-        if (entry.speed == speed) {
-          result.added.back() = result.added.back() + entry.value * result.multipliers[k];
-        }
-      }
-    }
-    result.added.back() = result.added.back() * derivatives.mobility[speed];
-  }
+  result.added = accelerations(island, derivatives, result.multipliers, graph);
   return result;
 }
 

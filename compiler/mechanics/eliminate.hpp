@@ -1,6 +1,6 @@
 #pragma once
-// Symbolic LDL^T of S = A M^-1 A^T of one island, in the island's elimination order: the plain step of the rank ladder
-// (runtime/include/mbrt/island.hpp, Note [rank ladder]) as expressions.
+// Symbolic LDL^T of S = A M^-1 A^T of one island, rows divided by their content, in the island's elimination order: the
+// plain step of the rank ladder (runtime/include/mbrt/island.hpp, Note [rank ladder]) as expressions.
 
 #include <vector>
 
@@ -16,10 +16,14 @@ struct Pivot {
 };
 
 struct Elimination {
-  std::vector<Pivot> pivots;      ///< in elimination order
-  std::vector<Expr> forward;      ///< y of L y = r, in elimination order
-  std::vector<Expr> multipliers;  ///< z of S z = r, in elimination order
-  std::vector<Expr> added;        ///< c = M^-1 A^T z per speed of the island
+  // In the order of the model, row by row: first what rows have alone, then what couples them, so that both can be
+  // computed for many rows at once.
+  std::vector<std::vector<Expr>> rows;       ///< r_k, S_kk
+  std::vector<std::vector<Expr>> couplings;  ///< S_kl for each earlier l, for every k that has one
+  std::vector<Pivot> pivots;                 ///< in elimination order
+  std::vector<Expr> forward;                 ///< y of L y = r, in elimination order
+  std::vector<Expr> multipliers;             ///< z of S z = r, in elimination order
+  std::vector<Expr> added;                   ///< c = M^-1 A^T z per speed of the island
 };
 
 Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph);

@@ -18,6 +18,8 @@ constexpr int points_tried = 12;
 /// Coefficients come from a least-squares solution of rows of size 1: their error is near eps over the cut-off of
 /// find_dependences.
 constexpr double same_coefficient = 1e-6;
+/// Between rows of size 1: without the row the condition of the rest is at most about this many times larger.
+constexpr double largest_growth = 10;
 
 /// Random states around the start, with parameters around their defaults. Deterministic: the same on every machine.
 class NearbyPoints {
@@ -102,7 +104,7 @@ std::vector<std::size_t> find_implied_rows(const Island& island, const model::Sy
     ++found;
     std::vector<Dependence> here = find_dependences(island, derivatives, point);
     std::erase_if(here, [&](const Dependence& dependence) {
-      return dependence.on.empty() || !agrees(dependence, sides) ||
+      return dependence.on.empty() || dependence.growth > largest_growth || !agrees(dependence, sides) ||
              (implied && std::none_of(implied->begin(), implied->end(),
                                       [&](const Dependence& earlier) { return same(earlier, dependence); }));
     });

@@ -19,7 +19,8 @@ using mechanics::Row;
 std::vector<Wanted> all_of(Target target, const std::vector<Expr>& values, std::size_t first_index = 0) {
   std::vector<Wanted> wanted;
   for (const Expr value : values) {
-    wanted.push_back({target, first_index++, value});
+    wanted.push_back({target, first_index, value, first_index});
+    ++first_index;
   }
   return wanted;
 }
@@ -33,14 +34,16 @@ std::vector<Wanted> rows_of(const Island& island, const Derivatives& derivatives
   };
   for (std::size_t k = 0; k < island.rows.size(); ++k) {
     const Row& row = derivatives.rows[island.rows[k]];
+    const Expr content = number(row.residual, row.content);  // the same rows as in the plain solve: floors are theirs
     for (const Entry& entry : row.entries) {
-      wanted.push_back({Target::Matrix, k * columns + column_of(entry.speed), entry.value});
+      wanted.push_back({Target::Matrix, k * columns + column_of(entry.speed), entry.value / content, k});
     }
-    wanted.push_back({Target::Residual, k, row.residual});
+    wanted.push_back({Target::Residual, k, row.residual / content, k});
   }
   for (std::size_t j = 0; j < columns; ++j) {
-    wanted.push_back({Target::Free, j, derivatives.free[island.speeds[j]]});
-    wanted.push_back({Target::Mobility, j, derivatives.mobility[island.speeds[j]]});
+    const std::size_t group = island.rows.size() + j;
+    wanted.push_back({Target::Free, j, derivatives.free[island.speeds[j]], group});
+    wanted.push_back({Target::Mobility, j, derivatives.mobility[island.speeds[j]], group});
   }
   return wanted;
 }
@@ -51,7 +54,7 @@ IslandPlan plan_island(const Island& island, const Derivatives& derivatives, std
   for (std::size_t j = 0; j < island.speeds.size(); ++j) {
     const std::size_t speed = island.speeds[j];
     plan.accelerations.push_back(
-        {Target::Rate, coordinates + speed, derivatives.free[speed] + plan.elimination.added[j]});
+        {Target::Rate, coordinates + speed, derivatives.free[speed] + plan.elimination.added[j], speed});
   }
   return plan;
 }
@@ -61,15 +64,15 @@ std::vector<Wanted> errors_of(const model::System& system, const Derivatives& de
   for (const Row& row : derivatives.rows) {
     const std::size_t k = row.constraint;
     if (system.constraints[k].holonomic) {
-      wanted.push_back({Target::Position, k, row.value});
+      wanted.push_back({Target::Position, k, row.value, k});
     }
-    wanted.push_back({Target::Velocity, k, row.rate});
+    wanted.push_back({Target::Velocity, k, row.rate, k});
     Expr acceleration = -row.b;
     for (const Entry& entry : row.entries) {
       const auto speed = static_cast<std::uint32_t>(entry.speed);
       acceleration = acceleration + entry.value * graph.leaf(Kind::Acceleration, speed);
     }
-    wanted.push_back({Target::Acceleration, k, acceleration});
+    wanted.push_back({Target::Acceleration, k, acceleration, k});
   }
   return wanted;
 }
@@ -80,9 +83,10 @@ void name_solve(Plan& plan, const IslandPlan& island_plan, const Island& island,
     const Row& row = derivatives.rows[island.rows[k]];
     const std::string& constraint = system.constraints[row.constraint].name;
     for (const Entry& entry : row.entries) {
-      plan.names.emplace_back(entry.value, fmt::format("A_{}_{}", constraint, system.speeds[entry.speed].name));
+      plan.names.emplace_back(entry.value / number(entry.value, row.content),
+                              fmt::format("A_{}_{}", constraint, system.speeds[entry.speed].name));
     }
-    plan.names.emplace_back(row.residual, "r_" + constraint);
+    plan.names.emplace_back(row.residual / number(row.residual, row.content), "r_" + constraint);
     plan.names.emplace_back(island_plan.elimination.pivots[k].diagonal, "S_" + constraint);
     plan.names.emplace_back(island_plan.elimination.pivots[k].pivot, "d_" + constraint);
     plan.names.emplace_back(island_plan.elimination.forward[k], "y_" + constraint);
@@ -110,6 +114,14 @@ std::vector<Expr> Plan::roots() const {
       roots.push_back(pivot.diagonal);
       roots.push_back(pivot.pivot);
     }
+    for (const auto* values : {&island.elimination.forward, &island.elimination.multipliers}) {
+      roots.insert(roots.end(), values->begin(), values->end());
+    }
+    for (const auto* rows : {&island.elimination.rows, &island.elimination.couplings}) {
+      for (const std::vector<Expr>& row : *rows) {
+        roots.insert(roots.end(), row.begin(), row.end());
+      }
+    }
   }
   return roots;
 }
@@ -133,12 +145,12 @@ Plan make_plan(const model::System& system, const Equations& equations, const De
   }
   for (std::size_t j = 0; j < system.speeds.size(); ++j) {
     if (!in_island[j]) {
-      plan.free_accelerations.push_back({Target::Rate, coordinates + j, derivatives.free[j]});
+      plan.free_accelerations.push_back({Target::Rate, coordinates + j, derivatives.free[j], j});
     }
   }
   plan.constraint_errors = errors_of(system, derivatives, graph);
   if (derivatives.energy) {
-    plan.energy.push_back({Target::Energy, 0, *derivatives.energy});
+    plan.energy.push_back({Target::Energy, 0, *derivatives.energy, 0});
   }
   plan.outputs = all_of(Target::Output, equations.outputs);
   plan.applied_forces = all_of(Target::Force, equations.forces);

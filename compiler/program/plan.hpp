@@ -12,11 +12,12 @@
 
 namespace mbcc::program {
 
-/// A value to be stored by a kernel.
+/// A value to be stored by a kernel. Neighbours of one group form a unit.
 struct Wanted {
   Target target;
   std::size_t index;
   graph::Expr value;
+  std::size_t group;
 };
 
 struct IslandPlan {

@@ -26,9 +26,6 @@ class Printer {
     }
     for (const IslandSolve& island : kernel.islands) {
       text += fmt::format("  island {}{}\n", island.island + 1, island.always_climbs ? " climbs always" : "");
-      for (const Guard& guard : island.guards) {
-        text += fmt::format("    guard {} against {}\n", reference(guard.pivot), reference(guard.diagonal));
-      }
       section(island.solve, "    ");
     }
   }
@@ -37,7 +34,13 @@ class Printer {
 
  private:
   void section(const Section& section, std::string_view indentation) {
-    for (const NodeId id : section.order) {
+    for (const Unit& part : section.units) {
+      unit(part, indentation);
+    }
+  }
+
+  void unit(const Unit& unit, std::string_view indentation) {
+    for (const NodeId id : unit.order) {
       const graph::Node& node = (*program_.graph)[id];
       std::string operands;
       for (const NodeId operand : node.used_operands()) {
@@ -47,8 +50,11 @@ class Printer {
       text += fmt::format("{}%{} = {}{}{}\n", indentation, id, graph::row(node.op).name, operands,
                           name == program_.names.end() ? "" : "   # " + name->second);
     }
-    for (const Store& store : section.stores) {
+    for (const Store& store : unit.stores) {
       text += fmt::format("{}{}[{}] <- {}\n", indentation, name_of(store.target), store.index, reference(store.value));
+    }
+    for (const Guard& guard : unit.guards) {
+      text += fmt::format("{}guard {} against {}\n", indentation, reference(guard.pivot), reference(guard.diagonal));
     }
   }
 

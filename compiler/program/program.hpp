@@ -2,6 +2,7 @@
 // The Program: what the emitted class computes, as kernels over one lowered graph. Every value is computed at its own
 // level and in no kernel that does not need it.
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -38,12 +39,6 @@ struct Store {
   NodeId value;
 };
 
-/// Computations in order, then stores.
-struct Section {
-  std::vector<NodeId> order;  ///< every node to compute, operands first; no leaves, nothing of a lower level
-  std::vector<Store> stores;
-};
-
 /// The condition on which the plain solve of an island stands: pivot >= max(plain_pivot_ratio * diagonal, floor).
 struct Guard {
   std::size_t row;  ///< within the island
@@ -51,11 +46,31 @@ struct Guard {
   NodeId pivot;
 };
 
-/// Accelerations of one island: `solve`, and the rest of the rank ladder instead if a guard does not hold.
+/// A few values that belong together, such as all that one constraint needs: computations in order, then what is done
+/// with them. Large scenes are made of many units of one shape, which become loops: roll.hpp.
+struct Unit {
+  std::vector<NodeId> order;  ///< every node to compute, operands first; no leaves, nothing of a lower level
+  std::vector<Store> stores;
+  std::vector<Guard> guards;  ///< only in the solve of an island
+};
+
+/// Units of one purpose, in order.
+struct Section {
+  std::vector<Unit> units;
+
+  bool has_stores() const {
+    return std::any_of(units.begin(), units.end(), [](const Unit& unit) { return !unit.stores.empty(); });
+  }
+  bool has_guards() const {
+    return std::any_of(units.begin(), units.end(), [](const Unit& unit) { return !unit.guards.empty(); });
+  }
+};
+
+/// Accelerations of one island: `solve`, and the rest of the rank ladder instead if a guard does not hold. Without
+/// guards the pivots are constant and safe.
 struct IslandSolve {
   std::size_t island;
-  Section solve;               ///< pivots first, then the accelerations
-  std::vector<Guard> guards;   ///< empty where the pivots are constant and safe
+  Section solve;               ///< rows, pivots, multipliers, accelerations
   bool always_climbs = false;  ///< the pivots are constant and not safe: no solve
 };
 

@@ -51,7 +51,9 @@ class Scheduler {
     Section section;
     std::set<NodeId> computed;
     for (const NodeId id : needed_[static_cast<std::size_t>(level)]) {
-      visit(id, level, computed, section.order);
+      Unit unit;
+      visit(id, level, computed, unit.order);
+      section.units.push_back(std::move(unit));
       kernel.provides.push_back(id);
     }
     kernel.sections.push_back(std::move(section));
@@ -59,6 +61,7 @@ class Scheduler {
   }
 
  private:
+  /// One unit for each run of `wanted` of the same group.
   Section section(Level level, const std::vector<Wanted>& wanted, std::set<NodeId>& computed) {
     Section section;
     add(wanted, level, computed, section);
@@ -66,10 +69,14 @@ class Scheduler {
   }
 
   void add(const std::vector<Wanted>& wanted, Level level, std::set<NodeId>& computed, Section& section) {
-    for (const Wanted& item : wanted) {
-      const NodeId value = lowering_(item.value);
-      visit(value, level, computed, section.order);
-      section.stores.push_back({item.target, item.index, value});
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (i == 0 || wanted[i].group != wanted[i - 1].group) {
+        section.units.emplace_back();
+      }
+      Unit& unit = section.units.back();
+      const NodeId value = lowering_(wanted[i].value);
+      visit(value, level, computed, unit.order);
+      unit.stores.push_back({wanted[i].target, wanted[i].index, value});
     }
   }
 
@@ -91,27 +98,59 @@ class Scheduler {
     order.push_back(id);
   }
 
+  /// What the stores and guards of an island need, at level State.
+  std::set<NodeId> live_values(const IslandPlan& plan) {
+    std::set<NodeId> live;
+    std::vector<NodeId> order;
+    for (const mechanics::Pivot& pivot : plan.elimination.pivots) {
+      visit(lowering_(pivot.pivot), Level::State, live, order);
+      visit(lowering_(pivot.diagonal), Level::State, live, order);
+    }
+    for (const Wanted& acceleration : plan.accelerations) {
+      visit(lowering_(acceleration.value), Level::State, live, order);
+    }
+    return live;
+  }
+
+  /// Rows in the order of the model, pivots in the order of elimination, multipliers backwards, accelerations.
   IslandSolve solve(std::size_t index, const IslandPlan& plan, std::set<NodeId>& computed) {
     IslandSolve solve;
     solve.island = index;
-    for (std::size_t k = 0; k < plan.elimination.pivots.size(); ++k) {
-      const mechanics::Pivot& pivot = plan.elimination.pivots[k];
+    const mechanics::Elimination& elimination = plan.elimination;
+    const std::set<NodeId> live = live_values(plan);  // a sum may be used, and the multiple that has its name not
+    const auto add_unit = [&](const std::vector<graph::Expr>& values) -> Unit& {
+      Unit& unit = solve.solve.units.emplace_back();
+      for (const graph::Expr value : values) {
+        visit(lowering_(value), Level::State, computed, unit.order);
+      }
+      std::erase_if(unit.order, [&live](NodeId id) { return !live.contains(id); });
+      return unit;
+    };
+    for (const auto* rows : {&elimination.rows, &elimination.couplings}) {
+      for (const std::vector<graph::Expr>& row : *rows) {
+        add_unit(row);
+      }
+    }
+    for (std::size_t k = 0; k < elimination.pivots.size(); ++k) {
+      const mechanics::Pivot& pivot = elimination.pivots[k];
+      Unit& unit = add_unit({pivot.pivot, elimination.forward[k]});
       if (pivot.pivot.is_constant() && pivot.diagonal.is_constant()) {
         const double value = pivot.pivot.node().value;
         solve.always_climbs |= !(value > 0 && value >= plain_pivot_ratio * pivot.diagonal.node().value);
       } else {
-        solve.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot)});
+        visit(lowering_(pivot.diagonal), Level::State, computed, unit.order);
+        unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot)});
       }
     }
-    if (solve.always_climbs) {
-      solve.guards.clear();
-      return solve;
-    }
-    for (const Guard& guard : solve.guards) {
-      visit(guard.diagonal, Level::State, computed, solve.solve.order);
-      visit(guard.pivot, Level::State, computed, solve.solve.order);
+    for (auto z = elimination.multipliers.rbegin(); z != elimination.multipliers.rend(); ++z) {
+      add_unit({*z});
     }
     add(plan.accelerations, Level::State, computed, solve.solve);
+    std::erase_if(solve.solve.units,
+                  [](const Unit& unit) { return unit.order.empty() && unit.stores.empty() && unit.guards.empty(); });
+    if (solve.always_climbs) {
+      solve.solve.units.clear();
+    }
     return solve;
   }
 

@@ -1,0 +1,67 @@
+#include "emit/naming.hpp"
+
+#include <fmt/format.h>
+
+namespace mbcc::cpp {
+
+using graph::Kind;
+
+std::string Naming::name_of_leaf(Kind kind, std::uint32_t index) const {
+  switch (kind) {
+    case Kind::Coordinate:
+      return coordinates[index];
+    case Kind::Speed:
+      return speeds[index];
+    case Kind::Acceleration:
+      return accelerations[index];
+    case Kind::Parameter:
+      return parameters[index];
+    default:
+      return "t";
+  }
+}
+
+std::string Naming::source_of_leaf(Kind kind, const std::string& index) {
+  switch (kind) {
+    case Kind::Coordinate:
+    case Kind::Speed:
+      return fmt::format("y[{}]", index);
+    case Kind::Acceleration:
+      return fmt::format("rate[{}]", index);
+    case Kind::Parameter:
+      return fmt::format("parameters_[{}]", index);
+    default:
+      return "t_";
+  }
+}
+
+std::size_t Naming::offset_of(Kind kind) const {
+  return kind == Kind::Speed || kind == Kind::Acceleration ? coordinates.size() : 0;
+}
+
+Naming make_naming(const model::System& system, const program::Program& program) {
+  Naming naming;
+  for (const model::Coordinate& coordinate : system.coordinates) {
+    naming.coordinates.push_back(naming.scope.declare(coordinate.name));
+  }
+  for (const model::Speed& speed : system.speeds) {
+    naming.speeds.push_back(naming.scope.declare(speed.name));
+    naming.accelerations.push_back(naming.scope.declare(speed.acceleration));
+  }
+  for (const model::Parameter& parameter : system.parameters) {
+    naming.parameters.push_back(naming.scope.declare(parameter.name));
+  }
+  for (const program::Kernel* kernel : {&program.prepare, &program.time}) {
+    for (const program::NodeId id : kernel->provides) {
+      const auto named = program.names.find(id);
+      const std::string name = named != program.names.end()
+                                   ? naming.scope.declare(named->second)
+                                   : naming.scope.enumerate(kernel == &program.time ? "t" : "p");
+      naming.members.emplace(id, name + "_");
+    }
+  }
+  naming.keeps_time = program.keeps_time;
+  return naming;
+}
+
+}  // namespace mbcc::cpp
