@@ -30,23 +30,23 @@ struct Sample {
   long evaluations;
 };
 
-Sample run(const Scene& scene, const Contender& contender, Workload workload) {
+Sample run(const Subject& subject, Workload workload) {
   std::vector<double> state;
   Sample sample{0, 0};
   const double begin = thread_seconds();
   for (long i = 0; i < workload.repetitions; ++i) {
-    state = scene.start;
+    state = subject.scene.start;
     keep();
-    sample.evaluations += contender.integrate(state, scene.step, workload.steps);
+    sample.evaluations += subject.contender.integrate(state, subject.scene.step, workload.steps);
     keep();
   }
   sample.seconds = thread_seconds() - begin;
   return sample;
 }
 
-Workload workload_of(const Scene& scene, const Contender& contender, double seconds) {
-  const long steps = affordable_steps(scene, contender, seconds);
-  const double once = run(scene, contender, {steps, 1}).seconds;
+Workload workload_of(const Subject& subject, double seconds) {
+  const long steps = affordable_steps(subject, seconds);
+  const double once = run(subject, {steps, 1}).seconds;
   return {steps, std::max(1L, std::lround(seconds / once))};
 }
 
@@ -57,32 +57,32 @@ Timing summarise(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<double> state_after(const Scene& scene, const Contender& contender, long steps) {
-  std::vector<double> state = scene.start;
-  contender.integrate(state, scene.step, steps);
+std::vector<double> state_after(const Subject& subject, long steps) {
+  std::vector<double> state = subject.scene.start;
+  subject.contender.integrate(state, subject.scene.step, steps);
   return state;
 }
 
-long affordable_steps(const Scene& scene, const Contender& contender, double seconds) {
+long affordable_steps(const Subject& subject, double seconds) {
   long steps = 1;
   for (;;) {
-    const double taken = run(scene, contender, {steps, 1}).seconds;
-    if (steps == scene.steps || 2 * taken > seconds) {
+    const double taken = run(subject, {steps, 1}).seconds;
+    if (steps == subject.scene.steps || 2 * taken > seconds) {
       return steps;
     }
-    steps = std::min(2 * steps, scene.steps);
+    steps = std::min(2 * steps, subject.scene.steps);
   }
 }
 
-std::vector<Timing> measure(const Scene& scene, std::span<const Contender> contenders, Effort effort) {
+std::vector<Timing> measure(std::span<const Subject> subjects, Effort effort) {
   std::vector<Workload> workloads;
-  for (const Contender& contender : contenders) {
-    workloads.push_back(workload_of(scene, contender, effort.sample_seconds));
+  for (const Subject& subject : subjects) {
+    workloads.push_back(workload_of(subject, effort.sample_seconds));
   }
-  std::vector<std::vector<double>> nanoseconds(contenders.size());
+  std::vector<std::vector<double>> nanoseconds(subjects.size());
   for (int i = 0; i < effort.samples; ++i) {
-    for (std::size_t k = 0; k < contenders.size(); ++k) {
-      const Sample sample = run(scene, contenders[k], workloads[k]);
+    for (std::size_t k = 0; k < subjects.size(); ++k) {
+      const Sample sample = run(subjects[k], workloads[k]);
       nanoseconds[k].push_back(1e9 * sample.seconds / static_cast<double>(sample.evaluations));
     }
   }

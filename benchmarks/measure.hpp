@@ -15,20 +15,26 @@ struct Timing {
   double minimum;
 };
 
-/// How much is measured: `samples` of each contender, each of at least `sample_seconds` where one step takes less.
+/// How much is measured: `samples` of each subject, each of at least `sample_seconds` where one step takes less.
 struct Effort {
   int samples;
   double sample_seconds;
 };
 
-/// One sample of each contender in turn, again and again, so that what slows the machine slows all of them. The clock is
-/// the thread's own, which stands still while another process has the core.
-std::vector<Timing> measure(const Scene& scene, std::span<const Contender> contenders, Effort effort);
+/// What is timed: a contender on its scene.
+struct Subject {
+  Scene scene;
+  Contender contender;
+};
+
+/// One sample of each subject in turn, again and again, so that what slows the machine slows all of them. The clock
+/// is the thread's own, which stands still while another process has the core.
+std::vector<Timing> measure(std::span<const Subject> subjects, Effort effort);
 
 /// The state after `steps` steps from the scene's start.
-std::vector<double> state_after(const Scene& scene, const Contender& contender, long steps);
+std::vector<double> state_after(const Subject& subject, long steps);
 
-/// How many steps of the scene a contender makes in about `seconds`; at least one, at most all.
-long affordable_steps(const Scene& scene, const Contender& contender, double seconds);
+/// How many steps of its scene a subject makes in about `seconds`; at least one, at most all.
+long affordable_steps(const Subject& subject, double seconds);
 
 }  // namespace bench

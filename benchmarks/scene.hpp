@@ -13,8 +13,8 @@ struct Known {
   double value;
 };
 
-/// A model integrated by classical RK4 with a constant step from time 0. A state is all coordinates, then all speeds, in
-/// the order in which the model declares them.
+/// A model integrated by classical RK4 with a constant step from time 0. A state is all coordinates, then all speeds,
+/// in the order in which the model declares them.
 struct Scene {
   std::string model;  ///< the model file's name without .mbd
   std::vector<double> start;
