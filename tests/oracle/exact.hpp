@@ -1,0 +1,51 @@
+#pragma once
+// The equation of motion in quadruple precision: u' = a + M^-1/2 (A M^-1/2)^+ (b - A a), island by island, from the
+// differentiated equations alone. Nothing of elimination, lowering or emission is in it.
+
+#include <vector>
+
+#include "driver/compile.hpp"
+#include "runtime/quad_pinv.hpp"
+
+namespace mbcc::test {
+
+using mbrt::test::Quad;
+
+/// One island at one state. Sizes and errors are in the norm |M^1/2 u'|.
+struct ExactIsland {
+  std::vector<std::size_t> speeds;
+  std::vector<Quad> acceleration;  ///< u', per speed of the island
+  std::vector<Quad> inertia;
+  double size;       ///< of u'
+  double parts;      ///< of a and of what the constraints add, which may cancel
+  double condition;  ///< of the scaled rows, without what the cut-off drops
+  // By how much u' may differ between programs
+  double truncation = 0;      ///< that drop different singular values below the cut-off
+  double contradiction = 0;   ///< that weigh differently constraints which contradict each other at this state
+  double rounding = 0;        ///< that round the rows differently in double precision
+  bool is_deficient = false;  ///< rows depend on others
+  bool is_ambiguous = false;  ///< a singular value is within a factor of ten of the cut-off
+};
+
+class ExactModel {
+ public:
+  explicit ExactModel(const Compilation& compilation);
+
+  /// `state` is coordinates, then speeds.
+  std::vector<ExactIsland> at(double time, const std::vector<double>& state) const;
+
+ private:
+  struct Rows;
+  Rows rows_at(const mechanics::Island& island, const std::vector<std::size_t>& rows, double time,
+               const std::vector<double>& state) const;
+  std::vector<std::size_t> all_rows(const mechanics::Island& island) const;
+  ExactIsland solve(std::size_t island, double time, const std::vector<double>& state) const;
+
+  const Compilation& compilation_;
+  std::vector<std::vector<Quad>> scales_;  ///< per island and row, from the start
+};
+
+/// |M^1/2 (u' - exact)| over the island's speeds; `rate` is q', then u'.
+double distance(const ExactIsland& island, const std::vector<double>& rate);
+
+}  // namespace mbcc::test
