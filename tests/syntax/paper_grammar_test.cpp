@@ -84,7 +84,7 @@ TEST_CASE("every production of the paper's grammar is defined, reachable and pro
   CHECK(ebnf::unproductive_names(grammar()).empty());
 }
 
-TEST_CASE("--strict accepts each expression that the paper's grammar derives") {
+TEST_CASE("the flag --strict accepts each expression that the paper's grammar derives") {
   Deriver deriver(grammar(), token_names, 5);
   for (int i = 0; i < 5000; ++i) {
     const std::vector<std::string> sentence = expression(deriver);
@@ -94,7 +94,7 @@ TEST_CASE("--strict accepts each expression that the paper's grammar derives") {
   }
 }
 
-TEST_CASE("--strict and the paper's grammar agree on expressions with one token changed") {
+TEST_CASE("the flag --strict and the paper's grammar agree on expressions with one token changed") {
   Deriver deriver(grammar(), token_names, 6);
   const std::vector<std::string> pool = token_pool(deriver);
   std::size_t accepted = 0, refused = 0;

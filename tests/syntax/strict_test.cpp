@@ -82,7 +82,7 @@ TEST_CASE("no message of --strict is left out") {
   }
 }
 
-TEST_CASE("--strict holds forces and constraints to the paper's grammar and nothing else") {
+TEST_CASE("the flag --strict holds forces and constraints to the paper's grammar and nothing else") {
   CHECK(errors("particle 1 { mass = -1; position = (-1, sqrt(2), 0); velocity = -v }") == 0);
   CHECK(errors("let a = -sqrt(2); output b = -x1'; gravity -9.81; parameter c = -1E3") == 0);
   CHECK(errors("integrate { from = -1 }") == 0);
