@@ -44,8 +44,11 @@ format:
 check-format:
 	$(sources) | xargs $(CLANG_FORMAT) --dry-run -Werror
 
-tidy: all
-	git ls-files 'compiler/*.cpp' 'runtime/*.cpp' 'cmake/*.cpp' | xargs -P $(JOBS) -n 1 $(CLANG_TIDY) --quiet -p build/release
+# The flags are those of the clang preset: clang-tidy does not know all of g++'s.
+tidy: packages
+	cmake/install-packages check
+	cmake --preset clang
+	git ls-files 'compiler/*.cpp' 'runtime/*.cpp' 'cmake/*.cpp' | xargs -P $(JOBS) -n 1 $(CLANG_TIDY) --quiet -p build/clang
 
 packages:
 	@cmake/install-packages build

@@ -50,7 +50,7 @@ struct Runtime {
 Runtime find_runtime() {
   std::error_code ignored;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
-  const Runtime installed{prefix / MBCC_INSTALL_INCLUDEDIR, prefix / MBCC_INSTALL_LIBDIR / "libmbrt.a"};
+  Runtime installed{prefix / MBCC_INSTALL_INCLUDEDIR, prefix / MBCC_INSTALL_LIBDIR / "libmbrt.a"};
   if (fs::exists(installed.include / "mbrt" / "simulation.hpp", ignored) && fs::exists(installed.library, ignored)) {
     return installed;
   }

@@ -20,7 +20,7 @@ struct ImportedFile {
 using Importer = std::function<std::optional<ImportedFile>(const std::string& path, std::uint32_t importing_file)>;
 
 /// Empty if and only if it reported an error.
-std::optional<model::System> resolve(const ast::ModelFile& model, const Sources& sources, const Importer& import,
+std::optional<model::System> resolve(const ast::ModelFile& file, const Sources& sources, const Importer& import,
                                      Diagnostics& diagnostics);
 
 std::string print(const model::System& system);  ///< for `dump --stage=system`
