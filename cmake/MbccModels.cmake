@@ -61,6 +61,7 @@ function(mbcc_add_regression name)
   add_executable(${name}_regression ${EMITTED})
   target_link_libraries(${name}_regression PRIVATE mbcc::runtime)
   target_compile_options(${name}_regression PRIVATE -ffp-contract=off)
+  add_dependencies(${name}_regression mbcc::mbcc mbcc::compare)
 
   set(result ${CMAKE_CURRENT_BINARY_DIR}/${name}_regression.csv)
   add_test(NAME ${name}.emitted COMMAND mbcc::mbcc verify ${MODEL} ${EMITTED})
