@@ -74,6 +74,7 @@ class InterpretedModel {
 };
 
 static_assert(mbrt::Model<InterpretedModel>);
-static_assert(program::plain_pivot_ratio == mbrt::plain_pivot_ratio);
+static_assert(program::plain_pivot_ratio(2) == mbrt::plain_pivot_ratio(2));
+static_assert(program::plain_pivot_ratio(3) == mbrt::plain_pivot_ratio(3));
 
 }  // namespace mbcc

@@ -292,7 +292,7 @@ class KernelWriter {
     const std::string floor = fmt::format("{}.floor({})", island_, index_text(guard.row, next.row));
     const std::string pivot = read(guard.pivot, next.pivot).text;
     line(guard.diagonal == guard.pivot ? fmt::format("{} &= {} >= {};", safe_, pivot, floor)
-                                       : fmt::format("{} &= mbrt::holds({}, {}, {});", safe_, pivot,
+                                       : fmt::format("{} &= {}.holds({}, {}, {});", safe_, island_, pivot,
                                                      read(guard.diagonal, next.diagonal).text, floor));
   }
 

@@ -16,8 +16,8 @@ namespace mbcc::program {
 using graph::Level;
 using graph::NodeId;
 
-/// The runtime's constant of the same name (mbrt/island.hpp): pivots that are known when compiling are judged by it.
-inline constexpr double plain_pivot_ratio = 1e-4;
+/// The runtime's function of the same name (mbrt/island.hpp): pivots that are known when compiling are judged by it.
+constexpr double plain_pivot_ratio(std::size_t rows) { return rows > 2 ? 1e-3 : 1e-4; }
 
 /// Where a kernel puts a value.
 enum class Target {
@@ -71,7 +71,7 @@ struct Section {
 struct IslandSolve {
   std::size_t island;
   Section solve;               ///< rows, pivots, multipliers, accelerations
-  bool always_climbs = false;  ///< the pivots are constant and not safe: no solve
+  bool always_climbs = false;  ///< more rows than speeds, or pivots constant and not safe: no solve
 };
 
 struct Kernel {

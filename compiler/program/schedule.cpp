@@ -117,6 +117,8 @@ class Scheduler {
     IslandSolve solve;
     solve.island = index;
     const mechanics::Elimination& elimination = plan.elimination;
+    solve.always_climbs =
+        elimination.pivots.size() > plan.accelerations.size();  // more rows than speeds: S is singular
     const std::set<NodeId> live = live_values(plan);  // a sum may be used, and the multiple that has its name not
     const auto add_unit = [&](const std::vector<graph::Expr>& values) -> Unit& {
       Unit& unit = solve.solve.units.emplace_back();
@@ -136,7 +138,8 @@ class Scheduler {
       Unit& unit = add_unit({pivot.pivot, elimination.forward[k]});
       if (pivot.pivot.is_constant() && pivot.diagonal.is_constant()) {
         const double value = pivot.pivot.node().value;
-        solve.always_climbs |= !(value > 0 && value >= plain_pivot_ratio * pivot.diagonal.node().value);
+        solve.always_climbs |=
+            !(value > 0 && value >= plain_pivot_ratio(elimination.pivots.size()) * pivot.diagonal.node().value);
       } else {
         visit(lowering_(pivot.diagonal), Level::State, computed, unit.order);
         unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot)});

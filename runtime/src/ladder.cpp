@@ -40,12 +40,18 @@ double smallest_square(double cutoff) { return std::max(vanishing_ratio, 100 * c
 
 /// LDL^T of S = B B^T: D on the diagonal of `factor`, L below it. False, with the factor unfinished, if a pivot is too
 /// small for refinement to make up for it.
-bool factor_squared(const RowMatrix& b, RowMatrix& factor, double cutoff) {
+///
+/// Note [noise in pivots]: rounding leaves S_jk off by eps |b_j| |b_k|, and elimination carries that into the pivot d_i
+/// as eps g_i^2, where g = |L^-1| (|b_1|, |b_2|, ...). After small pivots g_i is far above |b_i|, and a row that
+/// depends on the others leaves a pivot of pure noise that may be large against S_ii: d_i is judged by g_i, not by
+/// |b_i|. `growth` takes the g_i, from above: g_i <= |b_i| + sum |L_ij| g_j. For two rows that are nearly parallel g_2
+/// = 2 |b_2|, and half of g_i stands for |b_i| in the ratio.
+bool factor_squared(const RowMatrix& b, RowMatrix& factor, Vector& growth, double cutoff) {
   const double smallest = smallest_square(cutoff);
   const double ratio = std::max(refined_pivot_ratio, smallest);
   for (Index i = 0; i < b.rows(); ++i) {
-    const double diagonal = b.row(i).squaredNorm();
-    double pivot = diagonal;
+    double pivot = b.row(i).squaredNorm();
+    growth(i) = std::sqrt(pivot);
     for (Index j = 0; j < i; ++j) {
       factor(i, j) = b.row(i).dot(b.row(j)) - factor.row(i).head(j).dot(factor.row(j).head(j));
     }
@@ -53,8 +59,9 @@ bool factor_squared(const RowMatrix& b, RowMatrix& factor, double cutoff) {
       const double product = factor(i, j);
       factor(i, j) = product / factor(j, j);
       pivot -= product * factor(i, j);
+      growth(i) += std::abs(factor(i, j)) * growth(j);
     }
-    if (!(pivot >= std::max(ratio * diagonal, smallest))) {
+    if (!(pivot >= std::max(ratio * 0.25 * growth(i) * growth(i), smallest))) {
       return false;
     }
     factor(i, i) = pivot;
@@ -80,7 +87,7 @@ bool solve_refined(const RowMatrix& b, const Vector& r, double cutoff, Scratch s
   RowMatrix factor(scratch.take(rows * rows), rows, rows);
   Vector z(scratch.take(rows), rows);
   Vector correction(scratch.take(rows), rows);
-  if (!factor_squared(b, factor, cutoff)) {
+  if (!factor_squared(b, factor, correction, cutoff)) {
     return false;
   }
   z.setZero();

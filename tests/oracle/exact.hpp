@@ -16,9 +16,9 @@ struct ExactIsland {
   std::vector<std::size_t> speeds;
   std::vector<Quad> acceleration;  ///< u', per speed of the island
   std::vector<Quad> inertia;
-  double size;       ///< of u'
-  double parts;      ///< of a and of what the constraints add, which may cancel
-  double condition;  ///< of the scaled rows, without what the cut-off drops
+  double size = 0;       ///< of u'
+  double parts = 0;      ///< of a and of what the constraints add, which may cancel
+  double condition = 1;  ///< of the scaled rows, without what the cut-off drops
   // By how much u' may differ between programs
   double truncation = 0;      ///< that drop different singular values below the cut-off
   double contradiction = 0;   ///< that weigh differently constraints which contradict each other at this state

@@ -132,7 +132,7 @@ class SampleModel {
     for (const double entry : island.matrix) {
       square += entry * entry;
     }
-    if (island.residual.size() > 1 || !holds(square, square, island.floor[0])) {
+    if (island.residual.size() > 1 || !holds(square, square, island.floor[0], 1)) {
       climb(island.view(), island.added);
       return;
     }
