@@ -50,6 +50,9 @@ struct Unobserved {
 /// Moves `y` from grid.from to grid.to. The rate at an accepted state is the first stage of the step that follows, so
 /// that observing costs no evaluation: 4 steps + 1 in all. Allocates nothing, unless copying a State does, at the
 /// start alone.
+///
+/// The loops are unrolled so that a small state passes from `rates`, where it is inlined, in registers: read back as
+/// vectors, what was just stored as numbers costs a quarter of the time of such a step.
 template <Dynamics M, StepObserver<typename M::State> Observer>
 void rk4(M& model, typename M::State& y, const TimeGrid& grid, Observer& observer) {
   typename M::State k1 = y, k2 = y, k3 = y, k4 = y, stage = y;
@@ -65,20 +68,24 @@ void rk4(M& model, typename M::State& y, const TimeGrid& grid, Observer& observe
     const double next = grid.time(i + 1);
     const double h = i + 1 == grid.steps ? next - t : grid.step;
     model.set_time(t + 0.5 * h);
+#pragma GCC unroll 32
     for (std::size_t j = 0; j < size; ++j) {
       stage[j] = y[j] + 0.5 * h * k1[j];
     }
     model.rates(stage, k2);
+#pragma GCC unroll 32
     for (std::size_t j = 0; j < size; ++j) {
       stage[j] = y[j] + 0.5 * h * k2[j];
     }
     model.rates(stage, k3);
     t = next;
     model.set_time(t);
+#pragma GCC unroll 32
     for (std::size_t j = 0; j < size; ++j) {
       stage[j] = y[j] + h * k3[j];
     }
     model.rates(stage, k4);
+#pragma GCC unroll 32
     for (std::size_t j = 0; j < size; ++j) {
       y[j] += h / 6 * (k1[j] + 2 * (k2[j] + k3[j]) + k4[j]);
     }
