@@ -136,11 +136,11 @@ ExactIsland ExactModel::solve(std::size_t index, double time, const std::vector<
   const double added = norm(pinv.solution);
   const double kept = static_cast<double>(pinv.smallest_kept);
   ExactIsland exact;
-  exact.speeds = island.speeds;
   exact.is_deficient = pinv.rank < rows.b.size();
   std::vector<Quad> weighted, weighted_free;
   for (std::size_t j = 0; j < island.speeds.size(); ++j) {
     const Quad root = sqrt(rows.mobility[j]);
+    exact.components.push_back(compilation_.system->coordinates.size() + island.speeds[j]);
     exact.acceleration.push_back(rows.free[j] + root * pinv.solution[j]);
     exact.inertia.push_back(1 / rows.mobility[j]);
     weighted.push_back(exact.acceleration[j] / root);
@@ -167,10 +167,9 @@ std::vector<ExactIsland> ExactModel::at(double time, const std::vector<double>& 
 }
 
 double distance(const ExactIsland& island, const std::vector<double>& rate) {
-  const std::size_t coordinates = rate.size() / 2;  // particles have as many as speeds
   Quad sum = 0;
-  for (std::size_t j = 0; j < island.speeds.size(); ++j) {
-    const Quad difference = rate[coordinates + island.speeds[j]] - island.acceleration[j];
+  for (std::size_t j = 0; j < island.components.size(); ++j) {
+    const Quad difference = rate[island.components[j]] - island.acceleration[j];
     sum += island.inertia[j] * difference * difference;
   }
   return static_cast<double>(sqrt(sum));

@@ -13,8 +13,8 @@ using mbrt::test::Quad;
 
 /// One island at one state. Sizes and errors are in the norm |M^1/2 u'|.
 struct ExactIsland {
-  std::vector<std::size_t> speeds;
-  std::vector<Quad> acceleration;  ///< u', per speed of the island
+  std::vector<std::size_t> components;  ///< of the state, that its speeds are
+  std::vector<Quad> acceleration;       ///< u', per speed of the island
   std::vector<Quad> inertia;
   double size = 0;       ///< of u'
   double parts = 0;      ///< of a and of what the constraints add, which may cancel
@@ -45,7 +45,7 @@ class ExactModel {
   std::vector<std::vector<Quad>> scales_;  ///< per island and row, from the start
 };
 
-/// |M^1/2 (u' - exact)| over the island's speeds; `rate` is q', then u'.
+/// |M^1/2 (u' - exact)| over the island's speeds; `rate` begins with the rate of a state, q' and u'.
 double distance(const ExactIsland& island, const std::vector<double>& rate);
 
 }  // namespace mbcc::test

@@ -65,14 +65,14 @@ std::vector<Scene> draw_scenes(std::size_t count, Random& random) {
   return scenes;
 }
 
-Rates interpret(const Compilation& c, const Question& question) {
+Answers interpret(const Compilation& c, const Question& question) {
   InterpretedModel model(*c.program, *c.system, c.sources);
   start(model);
-  Rates rates;
+  Answers answers;
   for (std::size_t i = 0; i < question.states.size(); ++i) {
-    rates.push_back(rates_at(model, question.times[i], question.states[i]));
+    answers.push_back(everything_at(model, question.times[i], question.states[i]));
   }
-  return rates;
+  return answers;
 }
 
 /// What the judgement of many states comes to.
@@ -153,13 +153,13 @@ TEST_CASE("accelerations are those of the equation in quadruple precision") {
   const Outcome built = emitted.build({"-O1"});
   INFO(built.errors);
   REQUIRE(built.exit_code == 0);
-  const std::vector<Rates> answers = emitted.ask(questions);
+  const std::vector<Answers> answers = emitted.ask(questions);
 
   Tally of_emitted, of_interpreter;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     INFO(scenes[i].text);
     const ExactModel exact(scenes[i].compilation);
-    const Rates interpreted = interpret(scenes[i].compilation, scenes[i].question);
+    const Answers interpreted = interpret(scenes[i].compilation, scenes[i].question);
     const double weight = weight_of_contradiction(scenes[i].compilation);
     for (std::size_t k = 0; k < states_per_scene; ++k) {
       const std::vector<ExactIsland> islands = exact.at(scenes[i].question.times[k], scenes[i].question.states[k]);
@@ -185,7 +185,7 @@ TEST_CASE("neither the order of particles and constraints nor a factor on a cons
     for (std::vector<double>& state : question.states) {
       state = reordered(state, *scene.compilation.system, *other->system);
     }
-    const Rates rates = interpret(*other, question);
+    const Answers rates = interpret(*other, question);
     const ExactModel exact(scene.compilation);
     for (std::size_t k = 0; k < states_per_scene; ++k) {
       judge(exact.at(question.times[k], scene.question.states[k]),

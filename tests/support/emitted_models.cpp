@@ -15,6 +15,14 @@ void put(std::ostream& out, const std::vector<double>& numbers) {
             static_cast<std::streamsize>(numbers.size() * sizeof(double)));
 }
 
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> common_flags() {
+  return {"-std=c++20", "-I" MBCC_SOURCE_DIR "/runtime/include", "-I" MBCC_SOURCE_DIR "/tests"};
+}
+
 }  // namespace
 
 void EmittedModels::add(const std::string& name, const std::string& header) {
@@ -22,14 +30,9 @@ void EmittedModels::add(const std::string& name, const std::string& header) {
   write_file(directory_ / (name + ".hpp"), header);
 }
 
-Outcome EmittedModels::build(const std::vector<std::string>& flags) {
-  std::vector<std::string> arguments = {"-std=c++20", "-I" MBCC_SOURCE_DIR "/runtime/include",
-                                        "-I" MBCC_SOURCE_DIR "/tests"};
-  arguments.insert(arguments.end(), flags.begin(), flags.end());
-  std::istringstream build_flags(MBCC_CXX_FLAGS);  // sanitizers, which the runtime was built with
-  for (std::string flag; build_flags >> flag;) {
-    arguments.push_back(flag);
-  }
+/// Writes a function per unit that serves its models, and a main program that calls all; returns the files.
+std::vector<std::string> EmittedModels::write_units() {
+  std::vector<std::string> files;
   std::string declarations, calls;
   for (std::size_t first = 0; first < names_.size(); first += models_per_unit) {
     const std::string serve = "serve_" + std::to_string(first);
@@ -42,22 +45,39 @@ Outcome EmittedModels::build(const std::vector<std::string>& flags) {
     unit += "#include \"support/serve_states.hpp\"\n" + signature + ";\n" + signature + " {\n" + body + "}\n";
     declarations += signature + ";\n";
     calls += "  " + serve + "(in, out);\n";
-    write_file(directory_ / (serve + ".cpp"), unit);
-    arguments.push_back(directory_ / (serve + ".cpp"));
+    files.push_back(directory_ / (serve + ".cpp"));
+    write_file(files.back(), unit);
   }
-  write_file(directory_ / "main.cpp", "#include <fstream>\n" + declarations +
-                                          "int main(int, char** argv) {\n"
-                                          "  std::ifstream in(argv[1], std::ios::binary);\n"
-                                          "  std::ofstream out(argv[2], std::ios::binary);\n" +
-                                          calls + "  return in && out ? 0 : 1;\n}\n");
-  for (const std::string& argument : {std::string(directory_ / "main.cpp"), std::string(MBCC_RUNTIME_LIBRARY),
-                                      std::string("-o"), std::string(directory_ / "models")}) {
-    arguments.push_back(argument);
+  files.push_back(directory_ / "main.cpp");
+  write_file(files.back(), "#include <fstream>\n" + declarations +
+                               "int main(int, char** argv) {\n"
+                               "  std::ifstream in(argv[1], std::ios::binary);\n"
+                               "  std::ofstream out(argv[2], std::ios::binary);\n" +
+                               calls + "  return in && out ? 0 : 1;\n}\n");
+  return files;
+}
+
+Outcome EmittedModels::build(const std::vector<std::string>& flags) {
+  std::vector<std::string> arguments = common_flags();
+  append(arguments, flags);
+  std::istringstream build_flags(MBCC_CXX_FLAGS);  // sanitizers, which the runtime was built with
+  for (std::string flag; build_flags >> flag;) {
+    arguments.push_back(flag);
   }
+  append(arguments, write_units());
+  append(arguments, {MBCC_RUNTIME_LIBRARY, "-o", (directory_ / "models").string()});
   return run_program(MBCC_CXX, arguments);
 }
 
-std::vector<Rates> EmittedModels::ask(const std::vector<Question>& questions) const {
+Outcome EmittedModels::check(const std::string& compiler, const std::vector<std::string>& flags) {
+  std::vector<std::string> arguments = common_flags();
+  append(arguments, flags);
+  arguments.emplace_back("-fsyntax-only");
+  append(arguments, write_units());
+  return run_program(compiler, arguments);
+}
+
+std::vector<Answers> EmittedModels::ask(const std::vector<Question>& questions) const {
   {
     std::ofstream file(directory_ / "questions", std::ios::binary);
     for (const Question& question : questions) {
@@ -75,12 +95,14 @@ std::vector<Rates> EmittedModels::ask(const std::vector<Question>& questions) co
     throw std::runtime_error("the emitted models ended with " + std::to_string(outcome.exit_code));
   }
   std::ifstream file(directory_ / "answers", std::ios::binary);
-  std::vector<Rates> answers;
+  std::vector<Answers> answers;
   for (const Question& question : questions) {
-    Rates& rates = answers.emplace_back();
-    for (const std::vector<double>& state : question.states) {
-      std::vector<double>& rate = rates.emplace_back(state.size());
-      file.read(reinterpret_cast<char*>(rate.data()), static_cast<std::streamsize>(rate.size() * sizeof(double)));
+    Answers& of_model = answers.emplace_back();
+    for (std::size_t i = 0; i < question.states.size(); ++i) {
+      std::uint64_t size = 0;
+      file.read(reinterpret_cast<char*>(&size), sizeof size);
+      std::vector<double>& answer = of_model.emplace_back(size);
+      file.read(reinterpret_cast<char*>(answer.data()), static_cast<std::streamsize>(size * sizeof(double)));
     }
   }
   return answers;

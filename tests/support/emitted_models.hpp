@@ -1,5 +1,6 @@
 #pragma once
-// Emitted classes, many in one program, built by the C++ compiler of this build and asked for rates at states.
+// Emitted classes, many in one program, built by the C++ compiler of this build and asked for what they compute at
+// states.
 
 #include <string>
 #include <vector>
@@ -8,12 +9,12 @@
 
 namespace mbcc::test {
 
-/// States of one model, and the rates that it answered.
+/// States of one model, and what it answered: everything_at each.
 struct Question {
   std::vector<double> times;
   std::vector<std::vector<double>> states;
 };
-using Rates = std::vector<std::vector<double>>;
+using Answers = std::vector<std::vector<double>>;
 
 class EmittedModels {
  public:
@@ -23,10 +24,15 @@ class EmittedModels {
   /// Compiles and links with `flags`; returns what the compiler printed and how it ended.
   Outcome build(const std::vector<std::string>& flags);
 
+  /// Has another compiler look at the same code, without building anything.
+  Outcome check(const std::string& compiler, const std::vector<std::string>& flags);
+
   /// One question per model, in the order of `add`.
-  std::vector<Rates> ask(const std::vector<Question>& questions) const;
+  std::vector<Answers> ask(const std::vector<Question>& questions) const;
 
  private:
+  std::vector<std::string> write_units();
+
   ScratchDirectory directory_;
   std::vector<std::string> names_;
 };

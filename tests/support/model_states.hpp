@@ -3,6 +3,8 @@
 // interpreter.
 
 #include <mbrt/model.hpp>
+#include <span>
+#include <vector>
 
 namespace mbcc::test {
 
@@ -21,12 +23,40 @@ typename M::State start(M& model, double time = 0) {
   return state;
 }
 
+/// Everything that `model` computes at a state: its rate; then errors of constraints at position, velocity and
+/// acceleration level, outputs, energy and applied forces, where it has them.
 template <mbrt::Model M>
-typename M::State rates_at(M& model, double time, const typename M::State& state) {
+std::vector<double> everything_at(M& model, double time, const typename M::State& state) {
   typename M::State rate = state;
   model.set_time(time);
   model.rates(state, rate);
-  return rate;
+  std::vector<double> all(rate.begin(), rate.end());
+  const auto append = [&all](std::size_t count, const auto& fill) {
+    std::vector<double> values(count);
+    fill(std::span<double>(values));
+    all.insert(all.end(), values.begin(), values.end());
+  };
+  const mbrt::Description& description = model.description();
+  if constexpr (mbrt::HasConstraints<M>) {
+    const std::size_t rows = description.constraints.size();
+    append(3 * rows, [&](std::span<double> errors) {
+      model.constraint_errors(state, rate, errors.first(rows), errors.subspan(rows, rows), errors.last(rows));
+    });
+  }
+  if constexpr (mbrt::HasOutputs<M>) {
+    append(description.outputs.size(), [&](std::span<double> values) { model.outputs(state, rate, values); });
+  }
+  if constexpr (mbrt::HasEnergy<M>) {
+    append(description.has_energy ? 1 : 0, [&](std::span<double> values) {
+      for (double& value : values) {
+        value = model.energy(state);
+      }
+    });
+  }
+  if constexpr (mbrt::HasForces<M>) {
+    append(description.forces.size(), [&](std::span<double> values) { model.applied_forces(state, values); });
+  }
+  return all;
 }
 
 }  // namespace mbcc::test

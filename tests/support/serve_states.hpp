@@ -1,5 +1,6 @@
 #pragma once
-// The main program of generated test code: answers, model by model, states with their rates. Numbers are raw doubles.
+// The main program of generated test code: answers, model by model, states with everything_at them. Numbers are raw
+// doubles.
 
 #include <cstdint>
 #include <istream>
@@ -10,7 +11,7 @@
 
 namespace mbcc::test {
 
-/// Reads how many states follow, then (time, state) for each; writes the rate of each.
+/// Reads how many states follow, then (time, state) for each; writes the answer to each, its size first.
 template <mbrt::Model M>
 void serve_states(std::istream& in, std::ostream& out) {
   const auto model = std::make_unique<M>();
@@ -22,8 +23,10 @@ void serve_states(std::istream& in, std::ostream& out) {
     double time = 0;
     in.read(reinterpret_cast<char*>(&time), sizeof time);
     in.read(reinterpret_cast<char*>(state.data()), bytes);
-    const typename M::State rate = rates_at(*model, time, state);
-    out.write(reinterpret_cast<const char*>(rate.data()), bytes);
+    const std::vector<double> answer = everything_at(*model, time, state);
+    const std::uint64_t size = answer.size();
+    out.write(reinterpret_cast<const char*>(&size), sizeof size);
+    out.write(reinterpret_cast<const char*>(answer.data()), static_cast<std::streamsize>(size * sizeof(double)));
   }
 }
 
