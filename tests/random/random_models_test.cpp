@@ -104,7 +104,7 @@ TEST_CASE("random models compile without a warning and compute what the interpre
         CAPTURE(i, k, n, answers[i][k][n], models[i].interpreted[k][n]);
         REQUIRE(same(answers[i][k][n], models[i].interpreted[k][n]));
         ++numbers;
-        finite += std::isfinite(answers[i][k][n]) ? 1 : 0;
+        finite += static_cast<std::size_t>(std::isfinite(answers[i][k][n]));
       }
     }
   }

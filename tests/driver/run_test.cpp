@@ -1,0 +1,91 @@
+// `mbcc run`: the compiler it uses, the cache, and the interpreter.
+
+#include "fixture.hpp"
+
+namespace mbcc::test {
+namespace {
+
+/// A compiler that writes a line into `log` whenever it is asked, and then does what the real one does.
+std::string counting_compiler(const Workshop& shop) {
+  const std::string script =
+      shop.write("counting-c++", "#!/bin/sh\necho \"$@\" >>" + quoted(shop.path("log")) + "\nexec c++ \"$@\"\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  return script;
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("the second run of a model does not compile it again") {
+  const Workshop shop;
+  const Variable compiler("CXX", counting_compiler(shop));
+  const std::string model = shop.write("pendulum.mbd", pendulum);
+  CHECK(run_mbcc({"run", model, "--quiet", "--cxxflags=-O0"}).exit_code == 0);
+  CHECK(lines(shop.read("log")) == 1);
+  CHECK(shop.read("log").find("-std=c++20 -O0 ") == 0);
+  CHECK(run_mbcc({"run", model, "--quiet", "--cxxflags=-O0"}).exit_code == 0);
+  CHECK(run_mbcc({"run", model, "--quiet", "--cxxflags=-O0", "--set", "g=1.62"}).exit_code == 0);
+  CHECK(lines(shop.read("log")) == 1);
+
+  CHECK(run_mbcc({"run", model, "--quiet", "--cxxflags=-O0 -g"}).exit_code == 0);  // other flags, another program
+  CHECK(lines(shop.read("log")) == 2);
+  shop.write("pendulum.mbd", std::string(pendulum) + "output angle = atan2(bob.x, -bob.y)\n");
+  CHECK(run_mbcc({"run", model, "--quiet", "--cxxflags=-O0"}).exit_code == 0);
+  CHECK(lines(shop.read("log")) == 3);
+}
+
+TEST_CASE("without --cxxflags a run is optimised for this machine") {
+  const Workshop shop;
+  const Variable compiler("CXX", counting_compiler(shop));
+  CHECK(run_mbcc({"run", shop.write("pendulum.mbd", pendulum), "--quiet"}).exit_code == 0);
+  CHECK(shop.read("log").find("-std=c++20 -O3 -march=native ") == 0);
+}
+
+TEST_CASE("a run takes the program's flags and gives its exit code") {
+  const Workshop shop;
+  const Variable compiler("CXX", "/nonexistent/c++");
+  const std::string model = shop.write("pendulum.mbd", pendulum);
+  CHECK(run_mbcc({"run", model, "--set", "gg=1"}).exit_code == 2);
+  CHECK(run_mbcc({"run", model, "--initial", "bob.x=2"}).exit_code == 3);
+  const Outcome help = run_mbcc({"run", model, "--help"});
+  CHECK(help.exit_code == 0);
+  CHECK(help.output.find("--repeat") != std::string::npos);
+  CHECK(run_mbcc({"run", model, "--werror", "--quiet"}).exit_code == 0);
+}
+
+TEST_CASE("a compiler that fails is a bug in mbcc, and says what it said") {
+  const Workshop shop;
+  const std::string script = shop.write("broken-c++", "#!/bin/sh\necho out of order\nexit 1\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const Variable compiler("CXX", script);
+  const Outcome outcome = run_mbcc({"run", shop.write("pendulum.mbd", pendulum)});
+  CHECK(outcome.exit_code == 70);
+  CHECK(outcome.errors == "out of order\nmbcc: error: the emitted program did not build\n");
+}
+
+TEST_CASE("without a C++ compiler the interpreter gives the results of the compiled program, to the last digit") {
+  // Both do the same operations in the same order; without contraction and at -O0 nothing merges or reorders them.
+  const Workshop shop;
+  for (const char* name : {"artigo5", "skate", "double_pendulum", "kepler", "closed_ring"}) {
+    const std::string model = std::string(MBCC_SOURCE_DIR) + "/examples/" + name + "/" + name + ".mbd";
+    const std::vector<std::string> flags = {"run", model, "--quiet", "--to", "0.5", "--csv"};
+    std::vector<std::string> compiled = flags;
+    compiled.insert(compiled.end(), {shop.path("compiled.csv"), "--cxxflags=-O0 -ffp-contract=off"});
+    INFO(name);
+    REQUIRE(run_mbcc(compiled).exit_code == 0);
+    const Variable compiler("CXX", "/nonexistent/c++");
+    std::vector<std::string> interpreted = flags;
+    interpreted.push_back(shop.path("interpreted.csv"));
+    const Outcome outcome = run_mbcc(interpreted);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.errors.find("mbcc: note: no C++ compiler found (`CXX`, `c++`): the interpreter runs the model\n") ==
+          0);
+    CHECK(shop.read("interpreted.csv").size() > 1000);
+    CHECK(shop.read("interpreted.csv") == shop.read("compiled.csv"));
+  }
+}
+
+}  // namespace mbcc::test
