@@ -149,7 +149,8 @@ void InterpretedModel::execute(const program::Kernel& kernel, const Put& put) {
 bool InterpretedModel::guards_hold(const program::IslandSolve& island) const {
   const std::vector<double>& floor = islands_[island.island].floor;
   const auto holds = [&](const program::Guard& guard) {
-    return mbrt::holds(values_[guard.pivot], values_[guard.diagonal], floor[guard.row], floor.size());
+    return mbrt::holds(values_[guard.pivot], values_[guard.diagonal], floor[guard.row] * values_[guard.scale],
+                       floor.size());
   };
   return std::all_of(island.solve.units.begin(), island.solve.units.end(), [&](const program::Unit& unit) {
     return std::all_of(unit.guards.begin(), unit.guards.end(), holds);

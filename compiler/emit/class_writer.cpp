@@ -228,28 +228,19 @@ std::string ClassWriter::island_members(std::size_t island) const {
   text += fmt::format("  const mbrt::IslandRows rows = island_{}_.view().rows;\n  rows.clear();\n", number);
   text += indent(rows.text) + "}\n\n";
 
-  const std::vector<std::size_t>& speeds = program_.islands[island].speeds;
   text += fmt::format(
-      "[[gnu::noinline, gnu::cold]] void climb_{0}(const State& y, State& rate) {{\n"
+      "[[gnu::noinline, gnu::cold]] std::array<double, {1}> climb_{0}(State y) {{\n"
       "  rows_{0}(y);\n"
       "  const mbrt::Island island = island_{0}_.view();\n"
-      "  std::array<double, {1}> added{{}};\n"
-      "  mbrt::climb(island, added);\n",
-      number, speeds.size());
-  if (speeds.back() - speeds.front() + 1 == speeds.size()) {
-    const auto first = static_cast<long>(system_.coordinates.size() + speeds.front());
-    text += fmt::format(
-        "  for (std::size_t j = 0; j < {}; ++j) {{\n"
-        "    rate[{}] = island.rows.free[j] + added[j];\n"
-        "  }}\n",
-        speeds.size(), affine(first, 1, "j"));
-    return text + "}\n\n";
-  }
-  for (std::size_t j = 0; j < speeds.size(); ++j) {
-    text +=
-        fmt::format("  rate[{0}] = island.rows.free[{1}] + added[{1}];\n", system_.coordinates.size() + speeds[j], j);
-  }
-  return text + "}\n\n";
+      "  std::array<double, {1}> u{{}};\n"
+      "  mbrt::climb(island, u);\n"
+      "  for (std::size_t j = 0; j < u.size(); ++j) {{\n"
+      "    u[j] += island.rows.free[j];\n"
+      "  }}\n"
+      "  return u;\n"
+      "}}\n\n",
+      number, program_.islands[island].speeds.size());
+  return text;
 }
 
 }  // namespace mbcc::cpp

@@ -113,6 +113,7 @@ class KernelWriter {
     for (const Guard& guard : unit.guards) {
       visit(guard.diagonal);
       visit(guard.pivot);
+      visit(guard.scale);
     }
   }
 
@@ -236,23 +237,42 @@ class KernelWriter {
     }
   }
 
-  /// Values that one iteration computes and the next one reads stay in variables: a chain of pivots must not wait for
-  /// memory.
-  void declare_carried() {
-    carried_.clear();
+  /// Calls `visit(id, operand)` for every operand of every value that the loop computes.
+  template <class Visit>
+  void for_each_operand(const Visit& visit) const {
     for (std::size_t r = 0; r < run_->period; ++r) {
       const Unit& unit = section_->units[run_->first + r];
       const Unit& next = section_->units[run_->first + run_->period + r];
       for (std::size_t k = 0; k < unit.order.size(); ++k) {
         const Node& node = graph_[unit.order[k]];
         for (std::size_t o = 0; o < node.used_operands().size(); ++o) {
-          const Operand operand = operand_of(node.operands[o], graph_[next.order[k]].operands[o]);
-          if (operand.kind == Operand::Kind::Carried && !carried_.contains(operand.producer)) {
-            const std::string name = scope_.enumerate("v");
-            line(fmt::format("double {} = {};", name, code_of(operand.node).text));
-            carried_.emplace(operand.producer, name);
-          }
+          visit(unit.order[k], operand_of(node.operands[o], graph_[next.order[k]].operands[o]));
         }
+      }
+    }
+  }
+
+  /// A value that each iteration computes from the one before stays in a variable: a chain of pivots must not wait for
+  /// memory. A value that is only read once more, an iteration later, is better read from its array: such loops can be
+  /// vectorised.
+  void declare_carried() {
+    std::map<NodeId, NodeId> candidates;  // what the first iteration reads, by the value that it becomes
+    std::set<NodeId> recurrent;           // values that depend on a candidate
+    for_each_operand([&](NodeId id, const Operand& operand) {
+      if (operand.kind == Operand::Kind::Carried) {
+        candidates.emplace(operand.producer, operand.node);
+      }
+      if (operand.kind == Operand::Kind::Carried ||
+          (operand.kind == Operand::Kind::Same && recurrent.contains(operand.node))) {
+        recurrent.insert(id);
+      }
+    });
+    carried_.clear();
+    for (const auto& [producer, read_first] : candidates) {
+      if (recurrent.contains(producer)) {
+        const std::string name = scope_.enumerate("v");
+        line(fmt::format("double {} = {};", name, code_of(read_first).text));
+        carried_.emplace(producer, name);
       }
     }
   }
@@ -289,7 +309,10 @@ class KernelWriter {
   }
 
   void write_guard(const Guard& guard, const Guard& next) {
-    const std::string floor = fmt::format("{}.floor({})", island_, index_text(guard.row, next.row));
+    std::string floor = fmt::format("{}.floor({})", island_, index_text(guard.row, next.row));
+    if (graph_[guard.scale].kind != Kind::Constant) {
+      floor += " * " + read(guard.scale, next.scale).text;
+    }
     const std::string pivot = read(guard.pivot, next.pivot).text;
     line(guard.diagonal == guard.pivot ? fmt::format("{} &= {} >= {};", safe_, pivot, floor)
                                        : fmt::format("{} &= {}.holds({}, {}, {});", safe_, island_, pivot,
@@ -301,16 +324,13 @@ class KernelWriter {
   }
 
   void write_island(const IslandSolve& island, const RolledSection& rolled) {
-    const std::size_t number = island.island + 1;
-    const std::string climb = fmt::format("climb_{}(y, rate);", number);
     if (island.always_climbs) {
-      line(climb);
-      body_.reads_state = true;
+      write_climb(island.island);
       return;
     }
     // One flag and one branch: the pivot tests then cost next to nothing.
     const bool guarded = island.solve.has_guards();
-    island_ = fmt::format("island_{}_", number);
+    island_ = fmt::format("island_{}_", island.island + 1);
     safe_ = guarded ? scope_.declare("safe") : "";
     if (guarded) {
       line(fmt::format("bool {} = true;", safe_));
@@ -318,9 +338,29 @@ class KernelWriter {
     write_section(island.solve, rolled);
     if (guarded) {
       line(fmt::format("if (!{}) [[unlikely]] {{", safe_));
-      line("  " + climb);
+      indentation_ = "  ";
+      write_climb(island.island);
+      indentation_ = "";
       line("}");
-      body_.reads_state = true;
+    }
+  }
+
+  /// Accelerations by the rest of the rank ladder. State and result are passed by value: nothing takes the address of
+  /// `y` or `rate`, which can then live in registers.
+  void write_climb(std::size_t island) {
+    body_.reads_state = true;
+    const std::string u = scope_.declare("u");
+    line(fmt::format("const auto {} = climb_{}(y);", u, island + 1));
+    const std::vector<std::size_t>& speeds = program_.islands[island].speeds;
+    const std::size_t first = naming_.coordinates.size() + speeds.front();
+    if (speeds.size() >= program::shortest_run && speeds.back() - speeds.front() + 1 == speeds.size()) {
+      line(fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0}) {{", i_, speeds.size()));
+      line(fmt::format("  rate[{}] = {}[{}];", affine(static_cast<long>(first), 1, i_), u, i_));
+      line("}");
+      return;
+    }
+    for (std::size_t j = 0; j < speeds.size(); ++j) {
+      line(fmt::format("rate[{}] = {}[{}];", naming_.coordinates.size() + speeds[j], u, j));
     }
   }
 

@@ -12,6 +12,8 @@
 //   into multiplications.)
 // * Sums and products are ordered by node, so that a + b is b + a; where b - a exists, a - b is -(b - a). Nothing is
 //   reassociated.
+// * sin^2 x + cos^2 x = 1: directions that turn with time or with an angle stay of length 1. Loses the NaN of an
+//   infinite x, which the constraint itself still has.
 // * `if` of a constant condition, or with equal sides, is its side.
 
 #include <algorithm>
@@ -66,6 +68,12 @@ Expr scale(double factor, Expr rest) {
   return graph.intern(Operator::Multiply, std::array{graph.constant(factor), rest});
 }
 
+/// factor * x for any x.
+Expr times(double factor, Expr x) {
+  const Scaled scaled = split(x);
+  return scale(factor * scaled.factor, scaled.rest);
+}
+
 Expr fold_sum(Expr a, Expr b);
 
 Expr fold_difference(Expr a, Expr b) {
@@ -85,10 +93,10 @@ Expr fold_difference(Expr a, Expr b) {
   }
   if (left.factor < 0) {
     const Expr sum = fold_sum(scale(-left.factor, left.rest), b);
-    return scale(-split(sum).factor, split(sum).rest);
+    return times(-1, sum);
   }
   if (left.factor == right.factor && left.factor != 1 && !a.is_constant() && !b.is_constant()) {
-    return scale(left.factor, fold_difference(left.rest, right.rest));
+    return times(left.factor, fold_difference(left.rest, right.rest));
   }
   if (a.graph().contains(Operator::Subtract, std::array{b, a})) {
     return scale(-1, a.graph().intern(Operator::Subtract, std::array{b, a}));
@@ -96,9 +104,25 @@ Expr fold_difference(Expr a, Expr b) {
   return a.graph().intern(Operator::Subtract, std::array{a, b});
 }
 
+/// Whether a and b are the squares of sine and cosine of one argument.
+bool are_squares_of_one_angle(Expr a, Expr b) {
+  const auto squared = [](Expr x) { return is(x, Operator::Power) && operand(x, 1).is_constant(2); };
+  if (!squared(a) || !squared(b)) {
+    return false;
+  }
+  const Expr first = operand(a, 0);
+  const Expr second = operand(b, 0);
+  return ((is(first, Operator::Sin) && is(second, Operator::Cos)) ||
+          (is(first, Operator::Cos) && is(second, Operator::Sin))) &&
+         operand(first, 0) == operand(second, 0);
+}
+
 Expr fold_sum(Expr a, Expr b) {
   if (is_zero(a) || is_zero(b)) {
     return is_zero(a) ? b : a;
+  }
+  if (are_squares_of_one_angle(a, b)) {
+    return number(a, 1);
   }
   const Scaled left = split(a);
   const Scaled right = split(b);
@@ -107,7 +131,7 @@ Expr fold_sum(Expr a, Expr b) {
   }
   if (left.factor < 0 && right.factor < 0) {
     const Expr sum = fold_sum(scale(-left.factor, left.rest), scale(-right.factor, right.rest));
-    return scale(-split(sum).factor, split(sum).rest);
+    return times(-1, sum);
   }
   if (right.factor < 0) {
     return fold_difference(a, scale(-right.factor, right.rest));
@@ -116,7 +140,7 @@ Expr fold_sum(Expr a, Expr b) {
     return fold_difference(b, scale(-left.factor, left.rest));
   }
   if (left.factor == right.factor && left.factor != 1 && !a.is_constant() && !b.is_constant()) {
-    return scale(left.factor, fold_sum(left.rest, right.rest));
+    return times(left.factor, fold_sum(left.rest, right.rest));
   }
   return ordered(Operator::Add, a, b);
 }
@@ -134,8 +158,7 @@ Expr fold_product(Expr a, Expr b) {
     return scale(factor, left.rest.is_constant(1) ? right.rest : left.rest);
   }
   if (left.rest == right.rest) {
-    const Scaled square = split(fold_power(left.rest, number(a, 2)));
-    return scale(factor * square.factor, square.rest);
+    return times(factor, fold_power(left.rest, number(a, 2)));
   }
   return scale(factor, ordered(Operator::Multiply, left.rest, right.rest));
 }

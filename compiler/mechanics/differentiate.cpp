@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "graph/dual.hpp"
+#include "mechanics/collect.hpp"
 #include "mechanics/derivatives.hpp"
 #include "mechanics/islands.hpp"
 #include "mechanics/redundancy.hpp"
@@ -88,13 +89,13 @@ Row differentiate_constraint(const model::System& system, const Equations& equat
   const Expr value = equations.constraints[k];
   const bool holonomic = system.constraints[k].holonomic;
   const Rates rates = along_unaccelerated_motion(value, equations.kinematics);
-  const Expr b = holonomic ? -rates.second : -rates.first;
-  Row row{k, entries_of(system, value, holonomic), b, value, holonomic ? rates.first : value, b, 1};
+  const Expr b = collect(holonomic ? -rates.second : -rates.first);
+  Row row{k, entries_of(system, value, holonomic), b, value, holonomic ? collect(rates.first) : value, b, 1};
   Expr of_free_motion = number(value, 0);
   for (const Entry& entry : row.entries) {
     of_free_motion = of_free_motion + entry.value * free[entry.speed];
   }
-  row.residual = b - of_free_motion;
+  row.residual = collect(b - of_free_motion);
   row.content = content_of(row.entries);
   return row;
 }

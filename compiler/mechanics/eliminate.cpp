@@ -101,44 +101,42 @@ void subtract_from(Sparse& column, std::size_t position, Expr term) {
   }
 }
 
-/// c = M^-1 A^T z per speed of the island, terms in the order of the model.
-std::vector<Expr> accelerations(const Island& island, const Derivatives& derivatives,
-                                const std::vector<Expr>& multipliers, graph::Graph& graph) {
-  std::map<std::size_t, Expr> of_row;
-  for (std::size_t k = 0; k < multipliers.size(); ++k) {
-    of_row.emplace(island.rows[k], multipliers[k]);
+/// u' = a + M^-1 A^T z per speed of the island, terms in the order of the model. A free acceleration along an entry of
+/// A (a central force, and the sphere that it meets) joins that entry's term.
+void accelerate(const Island& island, const Derivatives& derivatives, Elimination& result, graph::Graph& graph) {
+  std::map<std::size_t, Expr> multiplier_of;  // by row, in the order of the model
+  for (std::size_t k = 0; k < island.rows.size(); ++k) {
+    multiplier_of.emplace(island.rows[k], result.multipliers[k]);
   }
-  std::map<std::size_t, Expr> of_speed;
-  for (const auto& [row, multiplier] : of_row) {
+  std::vector<Expr> free = derivatives.free;
+  std::map<std::size_t, Expr> added;
+  for (const auto& [row, multiplier] : multiplier_of) {
+    std::vector<Expr>& terms = result.constraint_terms.emplace_back();
     for (const Entry& entry : derivatives.rows[row].entries) {
-      const Expr term = divided(entry.value, derivatives.rows[row].content) * multiplier;
-      const auto [found, is_new] = of_speed.try_emplace(entry.speed, term);
+      const Expr along = divided(entry.value, derivatives.rows[row].content) * derivatives.mobility[entry.speed];
+      const Expr ratio = free[entry.speed] / along;
+      const bool joins = ratio.is_constant();
+      if (joins) {
+        free[entry.speed] = graph.constant(0);
+      }
+      const Expr term = along * (joins ? multiplier + ratio : multiplier);
+      terms.push_back(term);
+      const auto [found, is_new] = added.try_emplace(entry.speed, term);
       if (!is_new) {
         found->second = found->second + term;
       }
     }
   }
-  std::vector<Expr> added;
   for (const std::size_t speed : island.speeds) {
-    const auto found = of_speed.find(speed);
-    added.push_back(found == of_speed.end() ? graph.constant(0) : found->second * derivatives.mobility[speed]);
+    const auto found = added.find(speed);
+    result.accelerations.push_back(found == added.end() ? free[speed] : free[speed] + found->second);
   }
-  return added;
 }
 
-}  // namespace
-
-Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph) {
-  const std::size_t size = island.rows.size();
-  std::vector<Sparse> columns = assemble(island, derivatives);  // becomes L D, column by column
-  Elimination result;
-  list_in_model_order(island, derivatives, columns, result);
+/// LDL^T with the multipliers z of the solution.
+void eliminate_in_order(std::vector<Sparse>& columns, Elimination& result) {
+  const std::size_t size = columns.size();
   std::vector<Sparse> factor(size);  // L below its unit diagonal
-  for (std::size_t k = 0; k < size; ++k) {
-    result.pivots.push_back({island.rows[k], columns[k].at(k), columns[k].at(k)});
-    const Row& row = derivatives.rows[island.rows[k]];
-    result.forward.push_back(divided(row.residual, row.content));
-  }
   for (std::size_t k = 0; k < size; ++k) {
     const Expr pivot = columns[k].at(k);
     result.pivots[k].pivot = pivot;
@@ -156,15 +154,51 @@ Elimination eliminate(const Island& island, const Derivatives& derivatives, grap
       result.forward[i] = result.forward[i] - multiplier * result.forward[k];
     }
   }
-  result.multipliers.assign(size, graph.constant(0));
+  for (std::size_t k = 0; k < size; ++k) {
+    result.quotients.push_back(result.forward[k] / columns[k].at(k));
+  }
   for (std::size_t k = size; k-- > 0;) {
-    Expr z = result.forward[k] / columns[k].at(k);
+    Expr z = result.quotients[k];
     for (const auto& [i, multiplier] : factor[k]) {
       z = z - multiplier * result.multipliers[i];
     }
     result.multipliers[k] = z;
   }
-  result.added = accelerations(island, derivatives, result.multipliers, graph);
+}
+
+/// Two coupled rows by the determinant: one division where LDL^T needs three. The second pivot and its diagonal are
+/// both multiplied by the first: det S = d_2 S_11 against S_22 S_11.
+void eliminate_two(const std::vector<Sparse>& columns, Elimination& result) {
+  const Expr first = columns[0].at(0);
+  const Expr coupling = columns[0].at(1);
+  const Expr second = columns[1].at(1);
+  const Expr determinant = first * second - coupling * coupling;
+  const Expr reciprocal = number(first, 1) / determinant;
+  const Expr r1 = result.forward[0];
+  const Expr r2 = result.forward[1];
+  result.pivots[1] = {result.pivots[1].row, first * second, determinant, first};
+  result.multipliers = {(second * r1 - coupling * r2) * reciprocal, (first * r2 - coupling * r1) * reciprocal};
+}
+
+}  // namespace
+
+Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph) {
+  std::vector<Sparse> columns = assemble(island, derivatives);  // becomes L D, column by column
+  const std::size_t size = columns.size();
+  Elimination result;
+  list_in_model_order(island, derivatives, columns, result);
+  for (std::size_t k = 0; k < size; ++k) {
+    const Row& row = derivatives.rows[island.rows[k]];
+    result.pivots.push_back({island.rows[k], columns[k].at(k), columns[k].at(k), graph.constant(1)});
+    result.forward.push_back(divided(row.residual, row.content));
+  }
+  result.multipliers.assign(size, graph.constant(0));
+  if (size == 2 && columns[0].contains(1)) {
+    eliminate_two(columns, result);
+  } else {
+    eliminate_in_order(columns, result);
+  }
+  accelerate(island, derivatives, result, graph);
   return result;
 }
 

@@ -13,17 +13,20 @@ struct Pivot {
   std::size_t row;
   Expr diagonal;  ///< S_kk
   Expr pivot;     ///< d_k
+  Expr scale;     ///< of both: 1, or what both were multiplied by to save a division
 };
 
 struct Elimination {
   // In the order of the model, row by row: first what rows have alone, then what couples them, so that both can be
   // computed for many rows at once.
-  std::vector<std::vector<Expr>> rows;       ///< r_k, S_kk
-  std::vector<std::vector<Expr>> couplings;  ///< S_kl for each earlier l, for every k that has one
-  std::vector<Pivot> pivots;                 ///< in elimination order
-  std::vector<Expr> forward;                 ///< y of L y = r, in elimination order
-  std::vector<Expr> multipliers;             ///< z of S z = r, in elimination order
-  std::vector<Expr> added;                   ///< c = M^-1 A^T z per speed of the island
+  std::vector<std::vector<Expr>> rows;              ///< r_k, S_kk
+  std::vector<std::vector<Expr>> couplings;         ///< S_kl for each earlier l, for every k that has one
+  std::vector<Pivot> pivots;                        ///< in elimination order
+  std::vector<Expr> forward;                        ///< y of L y = r, in elimination order
+  std::vector<Expr> quotients;                      ///< y_k / d_k, which do not wait for one another
+  std::vector<Expr> multipliers;                    ///< z of S z = r, in elimination order
+  std::vector<std::vector<Expr>> constraint_terms;  ///< M^-1 A_k^T z_k per row, in the order of the model
+  std::vector<Expr> accelerations;                  ///< u' = a + M^-1 A^T z per speed of the island
 };
 
 Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph);

@@ -53,8 +53,7 @@ IslandPlan plan_island(const Island& island, const Derivatives& derivatives, std
   IslandPlan plan{eliminate(island, derivatives, graph), {}, rows_of(island, derivatives)};
   for (std::size_t j = 0; j < island.speeds.size(); ++j) {
     const std::size_t speed = island.speeds[j];
-    plan.accelerations.push_back(
-        {Target::Rate, coordinates + speed, derivatives.free[speed] + plan.elimination.added[j], speed});
+    plan.accelerations.push_back({Target::Rate, coordinates + speed, plan.elimination.accelerations[j], speed});
   }
   return plan;
 }
@@ -113,11 +112,14 @@ std::vector<Expr> Plan::roots() const {
     for (const mechanics::Pivot& pivot : island.elimination.pivots) {
       roots.push_back(pivot.diagonal);
       roots.push_back(pivot.pivot);
+      roots.push_back(pivot.scale);
     }
-    for (const auto* values : {&island.elimination.forward, &island.elimination.multipliers}) {
+    for (const auto* values :
+         {&island.elimination.forward, &island.elimination.quotients, &island.elimination.multipliers}) {
       roots.insert(roots.end(), values->begin(), values->end());
     }
-    for (const auto* rows : {&island.elimination.rows, &island.elimination.couplings}) {
+    for (const auto* rows :
+         {&island.elimination.rows, &island.elimination.couplings, &island.elimination.constraint_terms}) {
       for (const std::vector<Expr>& row : *rows) {
         roots.insert(roots.end(), row.begin(), row.end());
       }

@@ -54,7 +54,8 @@ class Printer {
       text += fmt::format("{}{}[{}] <- {}\n", indentation, name_of(store.target), store.index, reference(store.value));
     }
     for (const Guard& guard : unit.guards) {
-      text += fmt::format("{}guard {} against {}\n", indentation, reference(guard.pivot), reference(guard.diagonal));
+      text += fmt::format("{}guard {} against {} scaled by {}\n", indentation, reference(guard.pivot),
+                          reference(guard.diagonal), reference(guard.scale));
     }
   }
 

@@ -39,11 +39,13 @@ struct Store {
   NodeId value;
 };
 
-/// The condition on which the plain solve of an island stands: pivot >= max(plain_pivot_ratio * diagonal, floor).
+/// The condition on which the plain solve of an island stands: pivot >= max(plain_pivot_ratio * diagonal, floor *
+/// scale).
 struct Guard {
-  std::size_t row;  ///< within the island
+  std::size_t row;  ///< within the island; the floor is its
   NodeId diagonal;
   NodeId pivot;
+  NodeId scale;
 };
 
 /// A few values that belong together, such as all that one constraint needs: computations in order, then what is done

@@ -101,6 +101,7 @@ class Shapes {
       shape.indices.push_back(static_cast<long>(guard.row));
       refer(guard.diagonal, u, positions, shape);
       refer(guard.pivot, u, positions, shape);
+      refer(guard.scale, u, positions, shape);
     }
     return shape;
   }
@@ -180,6 +181,7 @@ void for_each_read(const Unit& unit, const Graph& graph, const Visit& visit) {
   for (const Guard& guard : unit.guards) {
     visit(guard.diagonal);
     visit(guard.pivot);
+    visit(guard.scale);
   }
 }
 

@@ -105,6 +105,7 @@ class Scheduler {
     for (const mechanics::Pivot& pivot : plan.elimination.pivots) {
       visit(lowering_(pivot.pivot), Level::State, live, order);
       visit(lowering_(pivot.diagonal), Level::State, live, order);
+      visit(lowering_(pivot.scale), Level::State, live, order);
     }
     for (const Wanted& acceleration : plan.accelerations) {
       visit(lowering_(acceleration.value), Level::State, live, order);
@@ -142,11 +143,18 @@ class Scheduler {
             !(value > 0 && value >= plain_pivot_ratio(elimination.pivots.size()) * pivot.diagonal.node().value);
       } else {
         visit(lowering_(pivot.diagonal), Level::State, computed, unit.order);
-        unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot)});
+        visit(lowering_(pivot.scale), Level::State, computed, unit.order);
+        unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot), lowering_(pivot.scale)});
       }
+    }
+    for (const graph::Expr quotient : elimination.quotients) {
+      add_unit({quotient});
     }
     for (auto z = elimination.multipliers.rbegin(); z != elimination.multipliers.rend(); ++z) {
       add_unit({*z});
+    }
+    for (const std::vector<graph::Expr>& terms : elimination.constraint_terms) {
+      add_unit(terms);
     }
     add(plan.accelerations, Level::State, computed, solve.solve);
     std::erase_if(solve.solve.units,

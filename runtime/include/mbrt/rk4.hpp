@@ -1,9 +1,11 @@
 #pragma once
 // The classical Runge-Kutta method of order four with constant step.
 
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <utility>
 
 namespace mbrt {
 
@@ -47,49 +49,66 @@ struct Unobserved {
   }
 };
 
+/// Whether a state is small enough for code without loops, in which the compiler keeps it in registers.
+template <class State>
+inline constexpr bool is_small = false;
+template <std::size_t Size>
+inline constexpr bool is_small<std::array<double, Size>> = Size <= 24;
+
+/// Calls f(0), f(1), ... for every component of a state; small states without a loop (measured: 25 % of a chain of 3
+/// links, whose rates are stored one by one and would be read back as vectors).
+template <class State, class Function>
+[[gnu::always_inline]] inline void for_each_component(const State& state, const Function& f) {
+  if constexpr (is_small<State>) {
+    [&]<std::size_t... J>(std::index_sequence<J...>) { (f(J), ...); }
+    (std::make_index_sequence<std::tuple_size_v<State>>{});
+  } else {
+    const std::size_t size = state.size();
+    for (std::size_t j = 0; j < size; ++j) {
+      f(j);
+    }
+  }
+}
+
 /// Moves `y` from grid.from to grid.to. The rate at an accepted state is the first stage of the step that follows, so
 /// that observing costs no evaluation: 4 steps + 1 in all. Allocates nothing, unless copying a State does, at the
 /// start alone.
-///
-/// The loops are unrolled so that a small state passes from `rates`, where it is inlined, in registers: read back as
-/// vectors, what was just stored as numbers costs a quarter of the time of such a step.
 template <Dynamics M, StepObserver<typename M::State> Observer>
-void rk4(M& model, typename M::State& y, const TimeGrid& grid, Observer& observer) {
-  typename M::State k1 = y, k2 = y, k3 = y, k4 = y, stage = y;
-  const std::size_t size = y.size();
+void rk4(M& model, typename M::State& state, const TimeGrid& grid, Observer& observer) {
+  typename M::State y = state, k = state, sum = state, stage = state;
   double t = grid.from;
   model.set_time(t);
   for (long i = 0;; ++i) {
     observer.arriving();
-    model.rates(y, k1);
-    if (!observer.accepted(t, y, k1) || i == grid.steps) {
-      return;
+    model.rates(y, k);
+    if (!observer.accepted(t, y, k) || i == grid.steps) {
+      break;
     }
     const double next = grid.time(i + 1);
     const double h = i + 1 == grid.steps ? next - t : grid.step;
-    model.set_time(t + 0.5 * h);
-#pragma GCC unroll 32
-    for (std::size_t j = 0; j < size; ++j) {
-      stage[j] = y[j] + 0.5 * h * k1[j];
-    }
-    model.rates(stage, k2);
-#pragma GCC unroll 32
-    for (std::size_t j = 0; j < size; ++j) {
-      stage[j] = y[j] + 0.5 * h * k2[j];
-    }
-    model.rates(stage, k3);
+    const double half = 0.5 * h;
+    for_each_component(y, [&](std::size_t j) {
+      sum[j] = k[j];
+      stage[j] = y[j] + half * k[j];
+    });
+    model.set_time(t + half);
+    model.rates(stage, k);
+    for_each_component(y, [&](std::size_t j) {
+      sum[j] += 2 * k[j];
+      stage[j] = y[j] + half * k[j];
+    });
+    model.rates(stage, k);
+    for_each_component(y, [&](std::size_t j) {
+      sum[j] += 2 * k[j];
+      stage[j] = y[j] + h * k[j];
+    });
     t = next;
     model.set_time(t);
-#pragma GCC unroll 32
-    for (std::size_t j = 0; j < size; ++j) {
-      stage[j] = y[j] + h * k3[j];
-    }
-    model.rates(stage, k4);
-#pragma GCC unroll 32
-    for (std::size_t j = 0; j < size; ++j) {
-      y[j] += h / 6 * (k1[j] + 2 * (k2[j] + k3[j]) + k4[j]);
-    }
+    model.rates(stage, k);
+    const double sixth = h / 6;
+    for_each_component(y, [&](std::size_t j) { y[j] += sixth * (sum[j] + k[j]); });
   }
+  state = y;
 }
 
 }  // namespace mbrt
