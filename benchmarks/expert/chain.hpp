@@ -6,7 +6,7 @@
 //   positions x, y, z of one mass side by side                        22,  67, 700
 //   x of all masses, then y, then z, Thomas from one end              19,  90, 800
 //   the same from both ends, pivots re-read from memory               19,  73, 640
-//   the same, pivots carried in registers, no remainder loops         19,  61, 525    what is here
+//   the same, pivots carried in registers, no remainder loops         19,  65, 495    what is here
 //   reciprocals of pivots instead of quotients                        10 % slower: one more product in the chain
 //   vectors of 512 bits (-mprefer-vector-width=512)                   slower up to 30 links, equal at 100
 //   -ffast-math                                                       no difference

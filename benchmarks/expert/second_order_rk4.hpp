@@ -24,16 +24,35 @@ struct Motion {
 template <std::size_t Size>
 using Slopes = Motion<Size>;
 
-/// Adds the slope of `stage` to `sum` with its weight in the method, and moves from `y` along it to the next stage.
+/// One component of the next stage, from `y` along a slope.
 template <std::size_t Size>
-[[gnu::always_inline]] inline void pass(const Motion<Size>& y, const Vector<Size>& a, double weight, double length,
-                                        Slopes<Size>& sum, Motion<Size>& stage) {
+[[gnu::always_inline]] inline void advance(const Motion<Size>& y, double v, double a, double length, std::size_t j,
+                                           Motion<Size>& next) {
+  next.q[j] = y.q[j] + length * v;
+  next.v[j] = y.v[j] + length * a;
+}
+
+/// The first pass of a step: begins the sum of slopes and makes the second stage.
+template <std::size_t Size>
+[[gnu::always_inline]] inline void begin(const Motion<Size>& y, const Vector<Size>& a, double length, Slopes<Size>& sum,
+                                         Motion<Size>& stage) {
+  for (std::size_t j = 0; j < Size; ++j) {
+    const double v = y.v[j];
+    sum.q[j] = v;
+    sum.v[j] = a[j];
+    advance(y, v, a[j], length, j, stage);
+  }
+}
+
+/// A middle pass: adds the slope of `stage` to the sum and moves along it to the next stage.
+template <std::size_t Size>
+[[gnu::always_inline]] inline void pass(const Motion<Size>& y, const Vector<Size>& a, double length, Slopes<Size>& sum,
+                                        Motion<Size>& stage) {
   for (std::size_t j = 0; j < Size; ++j) {
     const double v = stage.v[j];
-    sum.q[j] += weight * v;
-    sum.v[j] += weight * a[j];
-    stage.q[j] = y.q[j] + length * v;
-    stage.v[j] = y.v[j] + length * a[j];
+    sum.q[j] += 2 * v;
+    sum.v[j] += 2 * a[j];
+    advance(y, v, a[j], length, j, stage);
   }
 }
 
@@ -43,18 +62,17 @@ template <std::size_t Size, class Model>
 Motion<Size> rk4(Model model, Motion<Size> y, double step, long steps) {
   Vector<Size> a;
   Motion<Size> stage;
+  Slopes<Size> sum;
   model.set_time(0);
   for (long i = 0; i < steps; ++i) {
     const double t = static_cast<double>(i) * step;
     model.acceleration(y, a);
-    stage = y;
-    Slopes<Size> sum;
-    pass(y, a, 1, step / 2, sum, stage);
+    begin(y, a, step / 2, sum, stage);
     model.set_time(t + step / 2);
     model.acceleration(stage, a);
-    pass(y, a, 2, step / 2, sum, stage);
+    pass(y, a, step / 2, sum, stage);
     model.acceleration(stage, a);
-    pass(y, a, 2, step, sum, stage);
+    pass(y, a, step, sum, stage);
     model.set_time(static_cast<double>(i + 1) * step);
     model.acceleration(stage, a);
     for (std::size_t j = 0; j < Size; ++j) {
