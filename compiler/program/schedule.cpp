@@ -113,13 +113,30 @@ class Scheduler {
     return live;
   }
 
+  static bool is_known(const mechanics::Pivot& pivot) {
+    return pivot.pivot.is_constant() && pivot.diagonal.is_constant();
+  }
+
+  /// Whether the plain solve can never stand: more rows than speeds make S singular, and constant pivots may be unsafe.
+  static bool must_climb(const IslandPlan& plan) {
+    const std::vector<mechanics::Pivot>& pivots = plan.elimination.pivots;
+    return pivots.size() > plan.accelerations.size() ||
+           std::any_of(pivots.begin(), pivots.end(), [&](const mechanics::Pivot& pivot) {
+             const double value = pivot.pivot.node().value;
+             return is_known(pivot) &&
+                    !(value > 0 && value >= plain_pivot_ratio(pivots.size()) * pivot.diagonal.node().value);
+           });
+  }
+
   /// Rows in the order of the model, pivots in the order of elimination, multipliers backwards, accelerations.
   IslandSolve solve(std::size_t index, const IslandPlan& plan, std::set<NodeId>& computed) {
     IslandSolve solve;
     solve.island = index;
     const mechanics::Elimination& elimination = plan.elimination;
-    solve.always_climbs =
-        elimination.pivots.size() > plan.accelerations.size();  // more rows than speeds: S is singular
+    if (must_climb(plan)) {
+      solve.always_climbs = true;
+      return solve;
+    }
     const std::set<NodeId> live = live_values(plan);  // a sum may be used, and the multiple that has its name not
     const auto add_unit = [&](const std::vector<graph::Expr>& values) -> Unit& {
       Unit& unit = solve.solve.units.emplace_back();
@@ -137,11 +154,7 @@ class Scheduler {
     for (std::size_t k = 0; k < elimination.pivots.size(); ++k) {
       const mechanics::Pivot& pivot = elimination.pivots[k];
       Unit& unit = add_unit({pivot.pivot, elimination.forward[k]});
-      if (pivot.pivot.is_constant() && pivot.diagonal.is_constant()) {
-        const double value = pivot.pivot.node().value;
-        solve.always_climbs |=
-            !(value > 0 && value >= plain_pivot_ratio(elimination.pivots.size()) * pivot.diagonal.node().value);
-      } else {
+      if (!is_known(pivot)) {
         visit(lowering_(pivot.diagonal), Level::State, computed, unit.order);
         visit(lowering_(pivot.scale), Level::State, computed, unit.order);
         unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot), lowering_(pivot.scale)});
@@ -159,9 +172,6 @@ class Scheduler {
     add(plan.accelerations, Level::State, computed, solve.solve);
     std::erase_if(solve.solve.units,
                   [](const Unit& unit) { return unit.order.empty() && unit.stores.empty() && unit.guards.empty(); });
-    if (solve.always_climbs) {
-      solve.solve.units.clear();
-    }
     return solve;
   }
 
