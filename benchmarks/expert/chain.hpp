@@ -7,10 +7,11 @@
 //   x of all masses, then y, then z, Thomas from one end              19,  90, 800
 //   the same from both ends, pivots re-read from memory               19,  73, 640
 //   the same, pivots carried in registers, no remainder loops         19,  65, 495    what is here
+//   every second row first, all at once, the rest from both ends      -,   62, 441    three times the code for a tenth
 //   reciprocals of pivots instead of quotients                        10 % slower: one more product in the chain
 //   vectors of 512 bits (-mprefer-vector-width=512)                   slower up to 30 links, equal at 100
 //   -ffast-math                                                       no difference
-//   determinants by a three-term recurrence instead of pivots         19,  60, 430    rejected: they grow as 2^links
+//   determinants by a three-term recurrence instead of pivots         19,  60, 460    rejected: they grow as 2^links
 //   and
 //                                                                     overflow for long chains or other lengths
 
