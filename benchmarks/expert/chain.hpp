@@ -12,8 +12,7 @@
 //   vectors of 512 bits (-mprefer-vector-width=512)                   slower up to 30 links, equal at 100
 //   -ffast-math                                                       no difference
 //   determinants by a three-term recurrence instead of pivots         19,  60, 460    rejected: they grow as 2^links
-//   and
-//                                                                     overflow for long chains or other lengths
+//                                                                                     and overflow in long chains
 
 #include <array>
 #include <cstddef>
