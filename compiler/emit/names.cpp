@@ -148,8 +148,10 @@ constexpr std::array reserved = {"alignas",
                                  "M_E",
                                  "i386"};
 
+/// Emitted classes have functions `rows_1`, `climb_1`, ...
 bool is_reserved(std::string_view name) {
-  return std::any_of(reserved.begin(), reserved.end(), [&](const char* word) { return name == word; });
+  return name.starts_with("rows_") || name.starts_with("climb_") ||
+         std::any_of(reserved.begin(), reserved.end(), [&](const char* word) { return name == word; });
 }
 
 bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
