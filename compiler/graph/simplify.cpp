@@ -71,7 +71,8 @@ Expr scale(double factor, Expr rest) {
 /// factor * x for any x.
 Expr times(double factor, Expr x) {
   const Scaled scaled = split(x);
-  return scale(factor * scaled.factor, scaled.rest);
+  const double product = factor * scaled.factor;
+  return product == 0 || !std::isfinite(product) ? scale(factor, x) : scale(product, scaled.rest);
 }
 
 Expr fold_sum(Expr a, Expr b);

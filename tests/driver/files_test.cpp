@@ -38,7 +38,7 @@ TEST_CASE("an output that cannot be replaced stays, and is exit code 2") {
   CHECK(run_mbcc({model, "-o", "/dev/full"}).exit_code == 2);
 }
 
-TEST_CASE("--depfile names every file that was read") {
+TEST_CASE("a depfile names every file that was read") {
   const Workshop shop;
   shop.write("part.mbd", "parameter g = 9.81\n");
   const std::string model = shop.write(
@@ -48,7 +48,7 @@ TEST_CASE("--depfile names every file that was read") {
   CHECK(shop.read("sim.d") == folder + "sim.cpp: " + folder + "my\\ model.mbd " + folder + "part.mbd\n");
 }
 
-TEST_CASE("--library emits the class alone") {
+TEST_CASE("the flag --library emits the class alone") {
   const Workshop shop;
   const Outcome outcome = run_mbcc({shop.write("pendulum.mbd", pendulum), "--library", "-o", "-"});
   CHECK(outcome.output.find("namespace pendulum {") != std::string::npos);

@@ -101,7 +101,7 @@ TEST_CASE("diagnostics are data if asked for") {
   CHECK(nlohmann::json::parse(run_mbcc({"check", shop.write("p.mbd", pendulum), "--diagnostics=json"}).errors).empty());
 }
 
-TEST_CASE("--strict holds a model to the paper's grammar") {
+TEST_CASE("the flag --strict holds a model to the paper's grammar") {
   const Workshop shop;
   const std::string model = shop.write("pendulum.mbd", pendulum);
   CHECK(run_mbcc({"check", model}).exit_code == 0);

@@ -61,7 +61,7 @@ TEST_CASE("numeric factors move to the front and merge") {
   CHECK(shown(l.a + -l.b) == "a - b");
   CHECK(shown(l.a - -l.b) == "a + b");
   CHECK(shown(-l.a - l.b) == "-(a + b)");
-  CHECK(shown(-(l.a - l.b)) == "b - a");
+  CHECK(shown(-(l.a - l.b)) == "-(a - b)");
 }
 
 TEST_CASE("neutral elements disappear") {
@@ -103,7 +103,16 @@ TEST_CASE("sums and products are ordered, and nothing is reassociated") {
   CHECK(l.a + l.b == l.b + l.a);
   CHECK(l.a * l.b == l.b * l.a);
   CHECK(l.a - l.b != l.b - l.a);
+  CHECK(l.b - l.a == -(l.a - l.b));
   CHECK((l.a + l.b) + l.c != l.a + (l.b + l.c));
+}
+
+TEST_CASE("squares of sine and cosine of one angle add up to one") {
+  Letters l;
+  CHECK((pow(sin(l.a), l.n(2)) + cos(l.a) * cos(l.a)).is_constant(1));
+  CHECK_FALSE((pow(sin(l.a), l.n(2)) + pow(cos(l.b), l.n(2))).is_constant());
+  CHECK_FALSE((pow(sin(l.a), l.n(2)) + pow(sin(l.a), l.n(2))).is_constant());
+  CHECK_FALSE((pow(sin(l.a), l.n(2)) - pow(cos(l.a), l.n(2))).is_constant());
 }
 
 TEST_CASE("a decided `if` is its side") {
