@@ -82,8 +82,10 @@ TEST_CASE("random models compile without a warning and compute what the interpre
     emitted.add(model.name, emit(*c.program, *c.system, c.sources, {true, false}));
     questions.push_back(model.question);
   }
+  // Both sides are to call the same functions with the same numbers: a C++ compiler that knows a parameter's default
+  // would evaluate exp(parameter) itself, and may round it better than the library does.
   std::vector<std::string> flags = warnings;
-  flags.insert(flags.end(), {"-O1", "-ffp-contract=off"});
+  flags.insert(flags.end(), {"-O1", "-ffp-contract=off", "-fno-builtin"});
   const Outcome built = emitted.build(flags);
   INFO(built.errors);
   REQUIRE(built.exit_code == 0);
