@@ -7,6 +7,7 @@
 
 #include "diagnostics/assert.hpp"
 #include "emit/code.hpp"
+#include "emit/targets.hpp"
 #include "program/roll.hpp"
 
 namespace mbcc::cpp {
@@ -32,37 +33,6 @@ using program::Unit;
 
 /// An expression that is used once is written where it is used, unless it is longer than this.
 constexpr std::size_t longest_inline_text = 70;
-
-/// The array that a store writes.
-std::string_view array_of(Target target) {
-  switch (target) {
-    case Target::Initial:
-      return "y";
-    case Target::Rate:
-      return "rate";
-    case Target::Matrix:
-      return "rows.matrix";
-    case Target::Residual:
-      return "rows.residual";
-    case Target::Free:
-      return "rows.free";
-    case Target::Mobility:
-      return "rows.mobility";
-    case Target::Position:
-      return "position";
-    case Target::Velocity:
-      return "velocity";
-    case Target::Acceleration:
-      return "acceleration";
-    case Target::Output:
-    case Target::Force:
-      return "values";
-    case Target::Energy:
-      break;
-  }
-  MBCC_ASSERT(target != Target::Energy);
-  return {};
-}
 
 class KernelWriter {
  public:
@@ -99,29 +69,11 @@ class KernelWriter {
   }
 
  private:
-  /// Calls `visit(id)` with every value that a unit reads, leaves and constants included.
-  template <class Visit>
-  void for_each_read(const Unit& unit, const Visit& visit) const {
-    for (const NodeId id : unit.order) {
-      for (const NodeId operand : graph_[id].used_operands()) {
-        visit(operand);
-      }
-    }
-    for (const Store& store : unit.stores) {
-      visit(store.value);
-    }
-    for (const Guard& guard : unit.guards) {
-      visit(guard.diagonal);
-      visit(guard.pivot);
-      visit(guard.scale);
-    }
-  }
-
   void roll_sections() {
     std::map<NodeId, std::set<const Section*>> readers;
     for (const Section* section : sections_) {
       for (const Unit& unit : section->units) {
-        for_each_read(unit, [&](NodeId id) { readers[id].insert(section); });
+        program::for_each_read(unit, graph_, [&](NodeId id) { readers[id].insert(section); });
       }
     }
     for (const Section* section : sections_) {
@@ -141,7 +93,7 @@ class KernelWriter {
       for (const Run& run : rolled_[s].runs) {
         const bool is_loop = run.iterations > 1;
         for (std::size_t u = run.first; u < run.first + run.period; ++u) {
-          for_each_read(sections_[s]->units[u], [&](NodeId id) {
+          program::for_each_read(sections_[s]->units[u], graph_, [&](NodeId id) {
             ++uses_[id];
             const Kind kind = graph_[id].kind;
             body_.reads_state |= kind == Kind::Coordinate || kind == Kind::Speed;

@@ -180,6 +180,44 @@ void eliminate_two(const std::vector<Sparse>& columns, Elimination& result) {
   result.multipliers = {(second * r1 - coupling * r2) * reciprocal, (first * r2 - coupling * r1) * reciprocal};
 }
 
+/// The entry of A along `speed`, divided by the row's content; zero where the row has none.
+Expr entry_along(const Row& row, std::size_t speed) {
+  for (const Entry& entry : row.entries) {
+    if (entry.speed == speed) {
+      return divided(entry.value, row.content);
+    }
+  }
+  return number(row.b, 0);
+}
+
+/// Two rows and two speeds: the rows alone determine the accelerations, A u' = b, whatever the forces. Cramer's rule on
+/// A itself does not square its condition, so that the guard may be looser than that of LDL^T by `square_leeway`: with
+/// det A = |a_1| |a_2| sin(phi), it asks for sin^2(phi) >= 1e-12, and the error is near eps / sin(phi) <= 1e-10.
+/// det^2 stands for d_2 S_11, which it equals.
+void eliminate_square(const Island& island, const Derivatives& derivatives, Elimination& result) {
+  constexpr double square_leeway = 1e-8;
+  const Row& first = derivatives.rows[island.rows[0]];
+  const Row& second = derivatives.rows[island.rows[1]];
+  const std::size_t p = island.speeds[0];
+  const std::size_t q = island.speeds[1];
+  const Expr a = entry_along(first, p);
+  const Expr b = entry_along(first, q);
+  const Expr c = entry_along(second, p);
+  const Expr d = entry_along(second, q);
+  const Expr determinant = a * d - b * c;
+  const Expr reciprocal = number(a, 1) / determinant;
+  const Expr mobilities = derivatives.mobility[p] * derivatives.mobility[q];
+  const Expr s1 = result.pivots[0].diagonal;
+  const Expr s2 = result.pivots[1].diagonal;
+  result.pivots[1] = {island.rows[1], number(a, square_leeway) * (s1 * s2), determinant * determinant * mobilities, s1};
+  const Expr b1 = divided(first.b, first.content);
+  const Expr b2 = divided(second.b, second.content);
+  result.accelerations = {reciprocal * (d * b1 - b * b2), reciprocal * (a * b2 - c * b1)};
+  const Expr force_p = (result.accelerations[0] - derivatives.free[p]) / derivatives.mobility[p];
+  const Expr force_q = (result.accelerations[1] - derivatives.free[q]) / derivatives.mobility[q];
+  result.multipliers = {reciprocal * (d * force_p - c * force_q), reciprocal * (a * force_q - b * force_p)};
+}
+
 }  // namespace
 
 Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph) {
@@ -193,6 +231,10 @@ Elimination eliminate(const Island& island, const Derivatives& derivatives, grap
     result.forward.push_back(divided(row.residual, row.content));
   }
   result.multipliers.assign(size, graph.constant(0));
+  if (size == 2 && island.speeds.size() == 2) {
+    eliminate_square(island, derivatives, result);
+    return result;
+  }
   if (size == 2 && columns[0].contains(1)) {
     eliminate_two(columns, result);
   } else {

@@ -56,6 +56,24 @@ struct Unit {
   std::vector<Guard> guards;  ///< only in the solve of an island
 };
 
+/// Calls `visit` with every value that a unit reads, leaves and constants included.
+template <class Visit>
+void for_each_read(const Unit& unit, const graph::Graph& graph, const Visit& visit) {
+  for (const NodeId id : unit.order) {
+    for (const NodeId operand : graph[id].used_operands()) {
+      visit(operand);
+    }
+  }
+  for (const Store& store : unit.stores) {
+    visit(store.value);
+  }
+  for (const Guard& guard : unit.guards) {
+    visit(guard.diagonal);
+    visit(guard.pivot);
+    visit(guard.scale);
+  }
+}
+
 /// Units of one purpose, in order.
 struct Section {
   std::vector<Unit> units;

@@ -167,24 +167,6 @@ bool is_inside(std::size_t unit, const Run& run) {
   return unit >= run.first && unit < run.first + run.period * run.iterations;
 }
 
-/// Calls `visit` with every value that the unit reads.
-template <class Visit>
-void for_each_read(const Unit& unit, const Graph& graph, const Visit& visit) {
-  for (const NodeId id : unit.order) {
-    for (const NodeId operand : graph[id].used_operands()) {
-      visit(operand);
-    }
-  }
-  for (const Store& store : unit.stores) {
-    visit(store.value);
-  }
-  for (const Guard& guard : unit.guards) {
-    visit(guard.diagonal);
-    visit(guard.pivot);
-    visit(guard.scale);
-  }
-}
-
 /// Marks the arrays that have to exist: of values that cross the border of an iteration of a loop.
 std::vector<bool> needed_arrays(const Section& section, const Graph& graph, const Shapes& shapes,
                                 const std::vector<Run>& runs, const std::set<NodeId>& used_elsewhere) {

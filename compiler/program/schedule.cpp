@@ -98,6 +98,17 @@ class Scheduler {
     order.push_back(id);
   }
 
+  /// visit() for what is live of a value that may not be: a sum may be used, and the multiple that has its name not.
+  void visit_live(NodeId id, const std::set<NodeId>& live, std::set<NodeId>& computed, std::vector<NodeId>& order) {
+    if (live.contains(id)) {
+      visit(id, Level::State, computed, order);
+    } else if ((*program_.graph)[id].level == Level::State) {
+      for (const NodeId operand : (*program_.graph)[id].used_operands()) {
+        visit_live(operand, live, computed, order);
+      }
+    }
+  }
+
   /// What the stores and guards of an island need, at level State.
   std::set<NodeId> live_values(const IslandPlan& plan) {
     std::set<NodeId> live;
@@ -137,13 +148,12 @@ class Scheduler {
       solve.always_climbs = true;
       return solve;
     }
-    const std::set<NodeId> live = live_values(plan);  // a sum may be used, and the multiple that has its name not
+    const std::set<NodeId> live = live_values(plan);
     const auto add_unit = [&](const std::vector<graph::Expr>& values) -> Unit& {
       Unit& unit = solve.solve.units.emplace_back();
       for (const graph::Expr value : values) {
-        visit(lowering_(value), Level::State, computed, unit.order);
+        visit_live(lowering_(value), live, computed, unit.order);
       }
-      std::erase_if(unit.order, [&live](NodeId id) { return !live.contains(id); });
       return unit;
     };
     for (const auto* rows : {&elimination.rows, &elimination.couplings}) {
