@@ -19,6 +19,12 @@ std::string stem_of(std::string_view file) {
   return dot == 0 ? base : base.substr(0, dot);
 }
 
+/// The file's name; `exp.mbd` becomes `exp_model`.
+std::string namespace_of(std::string_view model_file) {
+  const std::string name = cpp::mangle(stem_of(model_file));
+  return cpp::is_global_name(name) ? name + "_model" : name;
+}
+
 std::string options_text(const EmitOptions& options) {
   return std::string(options.library ? " --library" : "") + (options.strict ? " --strict" : "");
 }
@@ -34,7 +40,7 @@ std::string emit(const program::Program& program, const model::System& system, c
   using namespace cpp;
   const ClassWriter writer(program, system, sources);
   const std::string& model_file = sources[0].name();
-  const std::string name_space = mangle(stem_of(model_file));
+  const std::string name_space = namespace_of(model_file);
   const std::string model_class =
       fill(template_text("model_class.in"), {{"namespace", name_space},
                                              {"summary", writer.summary()},

@@ -11,6 +11,9 @@ namespace mbcc::cpp {
 /// `p[3].x` as `p_3_x`; never a keyword, a reserved or an empty identifier.
 std::string mangle(std::string_view name);
 
+/// Whether the C library has something of that name in the global namespace, which no namespace may then be called.
+bool is_global_name(std::string_view name);
+
 /// Hands out identifiers that are distinct within one scope.
 class Scope {
  public:

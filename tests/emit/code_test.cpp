@@ -98,6 +98,15 @@ TEST_CASE("names of the model become identifiers") {
   }
 }
 
+TEST_CASE("a file that is called like a function of the C library gives its namespace another name") {
+  for (const char* const name : {"exp", "nan", "sinf", "y1", "select", "gamma", "clock"}) {
+    CHECK(is_global_name(name));
+  }
+  for (const char* const name : {"pendulum", "whitworth", "f", "l", ""}) {
+    CHECK_FALSE(is_global_name(name));
+  }
+}
+
 TEST_CASE("identifiers of one scope are distinct, and valid") {
   Scope scope;
   std::set<std::string> seen;
