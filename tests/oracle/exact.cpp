@@ -36,11 +36,6 @@ std::vector<T> values(const Compilation& c, const std::vector<Expr>& expressions
   return graph::evaluate<T>(*c.graph, expressions, leaf);
 }
 
-/// |r - B w|: by how much the constraints ask for accelerations that no motion has. Least squares then weighs rows, and
-/// a row that is held, because others imply it, no longer counts twice.
-/// |r - B w|: by how much the constraints ask for accelerations that no motion has.
-double contradiction(const QuadMatrix& b, std::vector<Quad> r, const std::vector<Quad>& w);
-
 double norm(const std::vector<Quad>& x) { return static_cast<double>(sqrt(mbrt::test::dot(x, x))); }
 
 /// |r - B w|: by how much the constraints ask for accelerations that no motion has.
@@ -53,12 +48,14 @@ double contradiction(const QuadMatrix& b, std::vector<Quad> r, const std::vector
 
 }  // namespace
 
-/// B = A M^-1/2 and r = b - A a, not scaled, with the rounding errors that they have in double precision.
+/// B = A M^-1/2 and r = b - A a, not scaled, and a, with bounds of the rounding errors that they have in double
+/// precision: every term counts, also those which cancel.
 struct ExactModel::Rows {
   QuadMatrix b;
   std::vector<Quad> r;
   std::vector<double> b_error, r_error;  ///< per row
   std::vector<Quad> free, mobility;
+  double free_error = 0;  ///< of |M^1/2 a|
 };
 
 ExactModel::ExactModel(const Compilation& compilation) : compilation_(compilation) {
@@ -90,9 +87,11 @@ ExactModel::Rows ExactModel::rows_at(const mechanics::Island& island, const std:
     speeds.push_back(derivatives.mobility[speed]);
   }
   const std::vector<Quad> of_speeds = values<Quad>(compilation_, speeds, time, state);
+  const std::vector<Tracked> rounded = values<Tracked>(compilation_, speeds, time, state);
   for (std::size_t j = 0; j < island.speeds.size(); ++j) {
     rows.free.push_back(of_speeds[2 * j]);
     rows.mobility.push_back(of_speeds[2 * j + 1]);
+    rows.free_error = std::hypot(rows.free_error, rounded[2 * j].error / std::sqrt(rounded[2 * j + 1].value));
   }
   for (const std::size_t index : indices) {
     const mechanics::Row& row = derivatives.rows[index];
@@ -152,7 +151,8 @@ ExactIsland ExactModel::solve(std::size_t index, double time, const std::vector<
   // The subspaces that are kept differ by an angle of dropped/kept, and r weighs in with up to the condition.
   exact.truncation = 10 * static_cast<double>(pinv.largest_dropped) / kept * exact.condition * added;
   exact.contradiction = contradiction(rows.b, rows.r, pinv.solution) / kept;
-  exact.rounding = (r_error + b_error * added) / kept;
+  // Note [rounded rows] in exact.hpp
+  exact.rounding = rows.free_error + (r_error + b_error * (2 * added + exact.contradiction)) / kept;
   const Quad cut = mbrt::default_cutoff * std::max(pinv.largest, Quad(1));
   exact.is_ambiguous = pinv.largest_dropped > cut / 10 || pinv.smallest_kept < cut * 10;
   return exact;

@@ -1,6 +1,14 @@
 #pragma once
 // The equation of motion in quadruple precision: u' = a + M^-1/2 (A M^-1/2)^+ (b - A a), island by island, from the
 // differentiated equations alone. Nothing of elimination, lowering or emission is in it.
+//
+// Note [rounded rows]: double precision does not have B = A M^-1/2, r = b - A a and a, but B + dB, r + dr and a + da.
+// A solve without any error of its own then differs in w = B^+ r, to first order (Wedin), by
+//   dw = B^+ (dr - dB w) + (1 - B^+ B) dB^T (B B^T)^+ r + B^+ B^+T dB^T (r - B w),
+// and in M^1/2 u' = M^1/2 a + w by no more than
+//   |M^1/2 da| + (|dr| + 2 |dB| |w| + |dB| |r - B w| / s) / s,    s the smallest singular value that is kept,
+// since (B B^T)^+ r = B^+T w. The sizes of dB, dr and da are those of the terms that cancel in them, which may be much
+// larger than the results: support/tracked.hpp adds them up.
 
 #include <vector>
 
@@ -22,7 +30,7 @@ struct ExactIsland {
   // By how much u' may differ between programs
   double truncation = 0;      ///< that drop different singular values below the cut-off
   double contradiction = 0;   ///< that weigh differently constraints which contradict each other at this state
-  double rounding = 0;        ///< that round the rows differently in double precision
+  double rounding = 0;        ///< that round the rows: Note [rounded rows]
   bool is_deficient = false;  ///< rows depend on others
   bool is_ambiguous = false;  ///< a singular value is within a factor of ten of the cut-off
 };

@@ -110,7 +110,9 @@ void judge(const std::vector<ExactIsland>& islands, const std::vector<double>& r
     }
     const double error = distance(island, rate);
     const double leeway = island.truncation + contradiction_weight * island.contradiction;
-    const double bound = 100 * (eps * island.condition * island.parts + island.rounding) + leeway;
+    // 100 eps cond is what a solve may lose of what it adds up; rounding is the rows', and another order of the same
+    // terms may double it.
+    const double bound = 100 * eps * island.condition * island.parts + 2 * island.rounding + leeway;
     ++tally.judged;
     tally.ill_conditioned += island.condition > 1e4 ? 1 : 0;
     tally.deficient += island.is_deficient ? 1 : 0;
