@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "graph/operators.hpp"
+#include "program/roll.hpp"
 #include "support/compiled.hpp"
 
 namespace mbcc::test {
@@ -109,13 +110,13 @@ void RandomModel::draw_particles() {
   }
 }
 
-/// Particles name[i] on a line, at rest, one apart, and sometimes rods between them.
+/// Particles name[i] on a line, at rest, one apart, and sometimes rods between them; a few, or as many as become loops.
 void RandomModel::draw_loop() {
   if (random_.chance(0.5)) {
     return;
   }
   loop_ = declare();
-  loop_size_ = 2 + random_.below(3);
+  loop_size_ = random_.chance(0.2) ? program::shortest_run + 4 + random_.below(5) : 2 + random_.below(3);
   const std::string count = declare();
   const std::vector<std::string> along = {"i", "2*0", "0"};
   statements_.push_back(fmt::format("constant {} = {}", count, loop_size_));
