@@ -25,6 +25,16 @@ std::vector<std::string> common_flags() {
 
 }  // namespace
 
+bool has_rolled_loops(const std::string& header) {
+  for (std::size_t at = 0; (at = header.find("for (std::size_t ", at)) != std::string::npos; ++at) {
+    const std::size_t bound = header.find(" < ", at) + 3;
+    if (header[bound] >= '0' && header[bound] <= '9') {
+      return true;
+    }
+  }
+  return false;
+}
+
 void EmittedModels::add(const std::string& name, const std::string& header) {
   names_.push_back(name);
   write_file(directory_ / (name + ".hpp"), header);

@@ -16,6 +16,10 @@ struct Question {
 };
 using Answers = std::vector<std::vector<double>>;
 
+/// Whether repeated parts of a model became loops: whether any loop is over a number of iterations, not over a
+/// container.
+bool has_rolled_loops(const std::string& header);
+
 class EmittedModels {
  public:
   /// Takes the text of a header that mbcc emitted for the model file `name`.mbd; names are distinct C++ identifiers.
