@@ -37,7 +37,7 @@ constexpr std::size_t longest_inline_text = 70;
 class KernelWriter {
  public:
   KernelWriter(const Kernel& kernel, const Program& program, const Naming& naming)
-      : kernel_(kernel), program_(program), graph_(*program.graph), naming_(naming), scope_(naming.scope) {
+      : kernel_(kernel), program_(program), graph_(*program.graph), naming_(naming), scope_(naming.scope.nested()) {
     for (const Section& section : kernel.sections) {
       sections_.push_back(&section);
     }
@@ -70,21 +70,34 @@ class KernelWriter {
 
  private:
   void roll_sections() {
-    std::map<NodeId, std::set<const Section*>> readers;
+    const std::set<NodeId> shared = read_beyond_their_section();
+    for (const Section* section : sections_) {
+      rolled_.push_back(program::roll(*section, graph_, shared));
+    }
+  }
+
+  /// Values that a section computes and another one reads, or a later kernel.
+  std::set<NodeId> read_beyond_their_section() const {
+    std::unordered_map<NodeId, const Section*> made_in;
     for (const Section* section : sections_) {
       for (const Unit& unit : section->units) {
-        program::for_each_read(unit, graph_, [&](NodeId id) { readers[id].insert(section); });
-      }
-    }
-    for (const Section* section : sections_) {
-      std::set<NodeId> used_elsewhere(kernel_.provides.begin(), kernel_.provides.end());
-      for (const auto& [id, sections] : readers) {
-        if (sections.size() > 1 || !sections.contains(section)) {
-          used_elsewhere.insert(id);
+        for (const NodeId id : unit.order) {
+          made_in.emplace(id, section);
         }
       }
-      rolled_.push_back(program::roll(*section, graph_, used_elsewhere));
     }
+    std::set<NodeId> shared(kernel_.provides.begin(), kernel_.provides.end());
+    for (const Section* section : sections_) {
+      for (const Unit& unit : section->units) {
+        program::for_each_read(unit, graph_, [&](NodeId id) {
+          const auto made = made_in.find(id);
+          if (made != made_in.end() && made->second != section) {
+            shared.insert(id);
+          }
+        });
+      }
+    }
+    return shared;
   }
 
   /// Counts what is written out: of a loop that is its first iteration.
@@ -171,16 +184,15 @@ class KernelWriter {
     declare_carried();
     line(fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0}) {{", i_, run_->iterations));
     indentation_ = "  ";
-    const std::unordered_map<NodeId, Code> outside = codes_;
     write_iteration();
     for (const auto& [producer, carried] : carried_) {
       line(fmt::format("{} = {};", carried, codes_.at(producer).text));
     }
-    codes_ = outside;
     indentation_ = "";
     line("}");
     for (std::size_t u = run_->first; u < run_->first + run_->period * run_->iterations; ++u) {
       for (const NodeId id : section_->units[u].order) {
+        codes_.erase(id);  // its name ended with the loop
         const auto element = current_->elements.find(id);
         if (element != current_->elements.end()) {
           codes_[id] = {fmt::format("{}[{}]", arrays_[element->second.array], element->second.index), Binding::Primary};

@@ -179,12 +179,24 @@ std::string mangle(std::string_view name) {
   return is_reserved(mangled) || may_be_macro ? mangled + "_v" : mangled;
 }
 
+Scope Scope::nested() const {
+  Scope inner;
+  inner.outer_ = this;
+  inner.counters_ = counters_;
+  return inner;
+}
+
+bool Scope::is_taken(const std::string& name) const {
+  return taken_.contains(name) || (outer_ != nullptr && outer_->is_taken(name));
+}
+
 std::string Scope::declare(std::string_view name) {
   const std::string mangled = mangle(name);
   std::string unique = mangled;
-  for (int n = 2; !taken_.insert(unique).second; ++n) {
+  for (int n = 2; is_taken(unique); ++n) {
     unique = mangled + "_" + std::to_string(n);
   }
+  taken_.insert(unique);
   return unique;
 }
 
@@ -192,7 +204,8 @@ std::string Scope::enumerate(const std::string& prefix) {
   std::string name;
   do {
     name = prefix + std::to_string(++counters_[prefix]);
-  } while (!taken_.insert(name).second);
+  } while (is_taken(name));
+  taken_.insert(name);
   return name;
 }
 

@@ -12,14 +12,14 @@
 namespace mbcc::cpp {
 
 struct Naming {
-  Scope scope;  ///< with all of them declared; each kernel goes on with a copy
+  Scope scope;  ///< with all of them declared; each kernel has one nested in it
   std::vector<std::string> coordinates, speeds, accelerations, parameters;
   std::unordered_map<program::NodeId, std::string> members;  ///< values kept between kernels
   bool keeps_time = false;                                   ///< whether a kernel reads t itself
 
   /// The local name of a leaf: `p_3_x`.
   std::string name_of_leaf(graph::Kind kind, std::uint32_t index) const;
-  /// Where its value comes from, with `index` as text: `y[6 + 3 * i]`; `offset` is what state components start at.
+  /// Where its value comes from, with `index` as text: `y[3 * i + 6]`.
   static std::string source_of_leaf(graph::Kind kind, const std::string& index);
   /// The first index of leaves of a kind in what source_of_leaf names.
   std::size_t offset_of(graph::Kind kind) const;

@@ -28,6 +28,9 @@ struct Row {
   double content = 1;          ///< numeric factor that all entries share; the solve uses the row divided by it
 };
 
+/// `value`, an entry or the residual of `row`, of the row as it is solved: divided by its content.
+inline Expr as_solved(const Row& row, Expr value) { return value / number(value, row.content); }
+
 /// Rows and speeds that have to be solved together: a connected component of the graph that A makes of the speeds.
 struct Island {
   std::vector<std::size_t> rows;    ///< in elimination order

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <map>
 
+#include "mechanics/islands.hpp"
+
 namespace mbcc::mechanics {
 
 namespace {
 
 /// A sparse column or row: position in the elimination order to value, structural zeros absent.
 using Sparse = std::map<std::size_t, Expr>;
-
-Expr divided(Expr value, double content) { return value / number(value, content); }
 
 /// sum over the speeds that both rows have of A_kj A_lj / m_j; nothing if they share none. Equal terms are counted, not
 /// added: the two ends of a rod contribute alike.
@@ -24,7 +24,7 @@ std::optional<Expr> product(const Row& k, const Row& l, const std::vector<Expr>&
     } else if (right->speed < left->speed) {
       ++right;
     } else {
-      const Expr term = divided(left->value, k.content) * divided(right->value, l.content) * mobility[left->speed];
+      const Expr term = as_solved(k, left->value) * as_solved(l, right->value) * mobility[left->speed];
       const auto same =
           std::find_if(terms.begin(), terms.end(), [&](const auto& other) { return other.first == term; });
       if (same == terms.end()) {
@@ -46,14 +46,8 @@ std::optional<Expr> product(const Row& k, const Row& l, const std::vector<Expr>&
 
 /// Lower triangle of S by columns, each with its diagonal; only rows that share a speed are paired.
 std::vector<Sparse> assemble(const Island& island, const Derivatives& derivatives) {
-  std::map<std::size_t, std::vector<std::size_t>> rows_of_speed;
-  for (std::size_t k = 0; k < island.rows.size(); ++k) {
-    for (const Entry& entry : derivatives.rows[island.rows[k]].entries) {
-      rows_of_speed[entry.speed].push_back(k);
-    }
-  }
   std::vector<Sparse> columns(island.rows.size());
-  for (const auto& [speed, sharing] : rows_of_speed) {
+  for (const auto& [speed, sharing] : rows_by_speed(derivatives.rows, island.rows)) {
     for (const std::size_t k : sharing) {
       for (const std::size_t l : sharing) {
         if (l >= k && !columns[k].contains(l)) {
@@ -81,7 +75,7 @@ void list_in_model_order(const Island& island, const Derivatives& derivatives, c
   }
   for (const auto& [row, of_row] : entries) {
     const Row& own = derivatives.rows[row];
-    result.rows.push_back({divided(own.residual, own.content), of_row.at(row)});
+    result.rows.push_back({as_solved(own, own.residual), of_row.at(row)});
     std::vector<Expr> coupled;
     for (const auto& [earlier, entry] : of_row) {
       if (earlier != row) {
@@ -113,7 +107,7 @@ void accelerate(const Island& island, const Derivatives& derivatives, Eliminatio
   for (const auto& [row, multiplier] : multiplier_of) {
     std::vector<Expr>& terms = result.constraint_terms.emplace_back();
     for (const Entry& entry : derivatives.rows[row].entries) {
-      const Expr along = divided(entry.value, derivatives.rows[row].content) * derivatives.mobility[entry.speed];
+      const Expr along = as_solved(derivatives.rows[row], entry.value) * derivatives.mobility[entry.speed];
       const Expr ratio = free[entry.speed] / along;
       const bool joins = ratio.is_constant();
       if (joins) {
@@ -184,7 +178,7 @@ void eliminate_two(const std::vector<Sparse>& columns, Elimination& result) {
 Expr entry_along(const Row& row, std::size_t speed) {
   for (const Entry& entry : row.entries) {
     if (entry.speed == speed) {
-      return divided(entry.value, row.content);
+      return as_solved(row, entry.value);
     }
   }
   return number(row.b, 0);
@@ -210,8 +204,8 @@ void eliminate_square(const Island& island, const Derivatives& derivatives, Elim
   const Expr s1 = result.pivots[0].diagonal;
   const Expr s2 = result.pivots[1].diagonal;
   result.pivots[1] = {island.rows[1], number(a, square_leeway) * (s1 * s2), determinant * determinant * mobilities, s1};
-  const Expr b1 = divided(first.b, first.content);
-  const Expr b2 = divided(second.b, second.content);
+  const Expr b1 = as_solved(first, first.b);
+  const Expr b2 = as_solved(second, second.b);
   result.accelerations = {reciprocal * (d * b1 - b * b2), reciprocal * (a * b2 - c * b1)};
   const Expr force_p = (result.accelerations[0] - derivatives.free[p]) / derivatives.mobility[p];
   const Expr force_q = (result.accelerations[1] - derivatives.free[q]) / derivatives.mobility[q];
@@ -228,7 +222,7 @@ Elimination eliminate(const Island& island, const Derivatives& derivatives, grap
   for (std::size_t k = 0; k < size; ++k) {
     const Row& row = derivatives.rows[island.rows[k]];
     result.pivots.push_back({island.rows[k], columns[k].at(k), columns[k].at(k), graph.constant(1)});
-    result.forward.push_back(divided(row.residual, row.content));
+    result.forward.push_back(as_solved(row, row.residual));
   }
   result.multipliers.assign(size, graph.constant(0));
   if (size == 2 && island.speeds.size() == 2) {

@@ -29,14 +29,8 @@ class Components {
 
 /// Per row, by position in `rows`: the rows that share a speed with it.
 std::vector<std::set<std::size_t>> pattern_of(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows) {
-  std::map<std::size_t, std::vector<std::size_t>> rows_of_speed;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const Entry& entry : all_rows[rows[k]].entries) {
-      rows_of_speed[entry.speed].push_back(k);
-    }
-  }
   std::vector<std::set<std::size_t>> neighbours(rows.size());
-  for (const auto& [speed, sharing] : rows_of_speed) {
+  for (const auto& [speed, sharing] : rows_by_speed(all_rows, rows)) {
     for (const std::size_t k : sharing) {
       for (const std::size_t l : sharing) {
         if (l != k) {
@@ -76,6 +70,17 @@ std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speed
     }
   }
   return islands;
+}
+
+std::map<std::size_t, std::vector<std::size_t>> rows_by_speed(const std::vector<Row>& all_rows,
+                                                              const std::vector<std::size_t>& rows) {
+  std::map<std::size_t, std::vector<std::size_t>> rows_of_speed;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const Entry& entry : all_rows[rows[k]].entries) {
+      rows_of_speed[entry.speed].push_back(k);
+    }
+  }
+  return rows_of_speed;
 }
 
 std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows) {

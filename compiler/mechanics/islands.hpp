@@ -1,6 +1,7 @@
 #pragma once
 // What has to be solved together, and in which order.
 
+#include <map>
 #include <vector>
 
 #include "mechanics/derivatives.hpp"
@@ -10,6 +11,10 @@ namespace mbcc::mechanics {
 /// Connected components of the speeds, joined by the rows in which they occur, in the order of their first row; each
 /// with its rows in the order of the model. Rows without entries belong to no island.
 std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speeds);
+
+/// Per speed that occurs in `rows`, some of `all_rows`: the positions in `rows` of those in which it does, increasing.
+std::map<std::size_t, std::vector<std::size_t>> rows_by_speed(const std::vector<Row>& all_rows,
+                                                              const std::vector<std::size_t>& rows);
 
 /// `rows`, some of `all_rows`, in an order of minimum degree of the pattern of A M^-1 A^T.
 ///

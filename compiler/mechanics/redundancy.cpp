@@ -92,6 +92,9 @@ bool same(const Dependence& a, const Dependence& b) {
 
 std::vector<std::size_t> find_implied_rows(const Island& island, const model::System& system,
                                            const Equations& equations, const Derivatives& derivatives) {
+  if (island.rows.size() < 2) {
+    return {};  // nothing that could imply a row
+  }
   NearbyPoints points(system, equations);
   std::optional<std::vector<Dependence>> implied;  // at every point so far
   int found = 0;

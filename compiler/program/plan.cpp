@@ -34,11 +34,11 @@ std::vector<Wanted> rows_of(const Island& island, const Derivatives& derivatives
   };
   for (std::size_t k = 0; k < island.rows.size(); ++k) {
     const Row& row = derivatives.rows[island.rows[k]];
-    const Expr content = number(row.residual, row.content);  // the same rows as in the plain solve: floors are theirs
+    // The rows as the plain solve has them: floors are theirs.
     for (const Entry& entry : row.entries) {
-      wanted.push_back({Target::Matrix, k * columns + column_of(entry.speed), entry.value / content, k});
+      wanted.push_back({Target::Matrix, k * columns + column_of(entry.speed), as_solved(row, entry.value), k});
     }
-    wanted.push_back({Target::Residual, k, row.residual / content, k});
+    wanted.push_back({Target::Residual, k, as_solved(row, row.residual), k});
   }
   for (std::size_t j = 0; j < columns; ++j) {
     const std::size_t group = island.rows.size() + j;
@@ -82,10 +82,10 @@ void name_solve(Plan& plan, const IslandPlan& island_plan, const Island& island,
     const Row& row = derivatives.rows[island.rows[k]];
     const std::string& constraint = system.constraints[row.constraint].name;
     for (const Entry& entry : row.entries) {
-      plan.names.emplace_back(entry.value / number(entry.value, row.content),
+      plan.names.emplace_back(as_solved(row, entry.value),
                               fmt::format("A_{}_{}", constraint, system.speeds[entry.speed].name));
     }
-    plan.names.emplace_back(row.residual / number(row.residual, row.content), "r_" + constraint);
+    plan.names.emplace_back(as_solved(row, row.residual), "r_" + constraint);
     plan.names.emplace_back(island_plan.elimination.pivots[k].diagonal, "S_" + constraint);
     plan.names.emplace_back(island_plan.elimination.pivots[k].pivot, "d_" + constraint);
     plan.names.emplace_back(island_plan.elimination.forward[k], "y_" + constraint);

@@ -4,7 +4,9 @@
 // Note [rank ladder]: the acceleration that the constraints add, c = M^-1 A^T z with (A M^-1 A^T) z = r, r = b - A a,
 // is found on the cheapest step that is safe.
 //   1. LDL^T of S = A M^-1 A^T, straight-line in the emitted code, as long as every pivot keeps
-//      d_k >= max(plain_pivot_ratio * S_kk, floor_k).
+//      d_k >= max(plain_pivot_ratio * S_kk, floor_k). Two rows are solved by their determinant, d_2 S_11, or where
+//      they have but two speeds by that of A, whose square it is and which condition does not square: there the ratio
+//      may be smaller by 1e-8 (compiler/mechanics/eliminate.cpp).
 //   2. LDL^T of the scaled rows and iterative refinement, residual in the factored form, while pivot ratios stay above
 //      refined_pivot_ratio and rows ten times above the cut-off.
 //   3. Complete orthogonal decomposition of the scaled A M^-1/2 with the explicit relative cut-off: the pinv.
