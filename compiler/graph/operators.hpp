@@ -35,6 +35,36 @@ inline constexpr std::array operator_table = {
 constexpr const OperatorRow& row(Operator op) { return operator_table[static_cast<std::size_t>(op)]; }
 constexpr int arity(Operator op) { return row(op).arity; }
 
+/// How tightly an operator binds in the text of models, loosest first; Nothing and Operand are what stands around one
+/// and what needs no parentheses ever.
+enum class Precedence : std::uint8_t { Nothing, Comparison, Sum, Product, Sign, Power, Operand };
+
+constexpr Precedence precedence(Operator op) {
+  switch (op) {
+    case Operator::Less:
+    case Operator::LessEqual:
+    case Operator::Equal:
+      return Precedence::Comparison;
+    case Operator::Add:
+    case Operator::Subtract:
+      return Precedence::Sum;
+    case Operator::Multiply:
+    case Operator::Divide:
+      return Precedence::Product;
+    case Operator::Negate:
+      return Precedence::Sign;
+    case Operator::Power:
+      return Precedence::Power;
+    default:
+      return Precedence::Operand;
+  }
+}
+
+/// The next tighter one, so that `a - (b - c)` keeps its parentheses.
+constexpr Precedence tighter(Precedence precedence) {
+  return static_cast<Precedence>(static_cast<std::uint8_t>(precedence) + 1);
+}
+
 /// A function of the language by its spelling in models (`sin`, `atan2`, `if`); symbols are not functions.
 constexpr std::optional<Operator> find_function(std::string_view spelling) {
   for (const OperatorRow& candidate : operator_table) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <unordered_map>
 
 #include "graph/evaluate.hpp"
@@ -11,55 +10,32 @@ namespace mbcc::graph {
 
 namespace {
 
-/// How tightly text binds, loosest first.
-enum class Binding { Comparison, Sum, Product, Sign, Power, Primary };
-
 struct Text {
   std::string text;
-  Binding binding;
+  Precedence binding;
 };
 
-std::string bound(const Text& text, Binding at_least) {
+std::string bound(const Text& text, Precedence at_least) {
   return text.binding < at_least ? fmt::format("({})", text.text) : text.text;
-}
-
-Binding tighter(Binding binding) { return static_cast<Binding>(static_cast<int>(binding) + 1); }
-
-std::optional<Binding> infix_binding(Operator op) {
-  switch (op) {
-    case Operator::Add:
-    case Operator::Subtract:
-      return Binding::Sum;
-    case Operator::Multiply:
-    case Operator::Divide:
-      return Binding::Product;
-    case Operator::Power:
-      return Binding::Power;
-    case Operator::Less:
-    case Operator::LessEqual:
-    case Operator::Equal:
-      return Binding::Comparison;
-    default:
-      return std::nullopt;
-  }
 }
 
 Text compose(const Node& node, const std::vector<Text>& operands) {
   const std::string_view spelling = row(node.op).spelling;
-  if (const auto binding = infix_binding(node.op)) {
-    const std::string_view space = *binding == Binding::Power ? "" : " ";
-    return {fmt::format("{}{}{}{}{}", bound(operands[0], *binding), space, spelling, space,
-                        bound(operands[1], tighter(*binding))),
-            *binding};
+  const Precedence own = precedence(node.op);
+  if (own == Precedence::Sign) {
+    return {"-" + bound(operands[0], Precedence::Product), Precedence::Sum};
   }
-  if (node.op == Operator::Negate) {
-    return {"-" + bound(operands[0], Binding::Product), Binding::Sum};
+  if (own != Precedence::Operand) {
+    const std::string_view space = own == Precedence::Power ? "" : " ";
+    return {
+        fmt::format("{}{}{}{}{}", bound(operands[0], own), space, spelling, space, bound(operands[1], tighter(own))),
+        own};
   }
   std::string arguments;
   for (const Text& operand : operands) {
     arguments += (arguments.empty() ? "" : ", ") + operand.text;
   }
-  return {fmt::format("{}({})", spelling, arguments), Binding::Primary};
+  return {fmt::format("{}({})", spelling, arguments), Precedence::Operand};
 }
 
 }  // namespace
@@ -86,11 +62,11 @@ std::string print(std::span<const std::pair<std::string, Expr>> labelled, const 
   for (const NodeId id : order) {
     const Node& node = graph[id];
     if (node.kind == Kind::Constant) {
-      texts[id] = {fmt::format("{}", node.value), node.value < 0 ? Binding::Sum : Binding::Primary};
+      texts[id] = {fmt::format("{}", node.value), node.value < 0 ? Precedence::Sum : Precedence::Operand};
       continue;
     }
     if (node.kind != Kind::Apply) {
-      texts[id] = {leaf_name(node), Binding::Primary};
+      texts[id] = {leaf_name(node), Precedence::Operand};
       continue;
     }
     std::vector<Text> operands;
@@ -101,7 +77,7 @@ std::string print(std::span<const std::pair<std::string, Expr>> labelled, const 
     if (uses[id] > 1) {
       const std::string name = fmt::format("#{}", ++shared);
       lines += fmt::format("{} = {}\n", name, texts[id].text);
-      texts[id] = {name, Binding::Primary};
+      texts[id] = {name, Precedence::Operand};
     }
   }
   for (const auto& [label, expression] : labelled) {

@@ -9,16 +9,8 @@
 namespace mbcc::model {
 namespace {
 
-using graph::Operator;
-
 /// Deeper expressions than this are written in parts: writing recurses.
 constexpr int deepest = 100;
-
-/// Beyond `a op b`, so that `a - (b - c)` keeps its parentheses.
-template <class Binding>
-Binding next(Binding binding) {
-  return static_cast<Binding>(static_cast<int>(binding) + 1);
-}
 
 }  // namespace
 
@@ -48,27 +40,7 @@ ExpressionText::Binding ExpressionText::binding(const Expression& expression) {
   if (expression.kind == ExpressionKind::Number) {
     return expression.number < 0 ? Binding::Sign : Binding::Operand;
   }
-  if (expression.kind != ExpressionKind::Apply) {
-    return Binding::Operand;
-  }
-  switch (expression.op) {
-    case Operator::Less:
-    case Operator::LessEqual:
-    case Operator::Equal:
-      return Binding::Comparison;
-    case Operator::Add:
-    case Operator::Subtract:
-      return Binding::Sum;
-    case Operator::Multiply:
-    case Operator::Divide:
-      return Binding::Product;
-    case Operator::Negate:
-      return Binding::Sign;
-    case Operator::Power:
-      return Binding::Power;
-    default:
-      return Binding::Operand;
-  }
+  return expression.kind == ExpressionKind::Apply ? graph::precedence(expression.op) : Binding::Operand;
 }
 
 /// `around` is the weakest binding that needs no parentheses here.
@@ -108,13 +80,13 @@ std::string ExpressionText::write_application(const Expression& expression) cons
   switch (own) {
     case Binding::Comparison:
     case Binding::Sum:
-      return fmt::format("{} {} {}", write(a, own), row.spelling, write(b, next(own)));
+      return fmt::format("{} {} {}", write(a, own), row.spelling, write(b, tighter(own)));
     case Binding::Product:
-      return fmt::format("{}{}{}", write(a, own), row.spelling, write(b, next(own)));
+      return fmt::format("{}{}{}", write(a, own), row.spelling, write(b, tighter(own)));
     case Binding::Power:
-      return fmt::format("{}^{}", write(a, next(own)), write(b, next(own)));
+      return fmt::format("{}^{}", write(a, tighter(own)), write(b, tighter(own)));
     case Binding::Sign:
-      return fmt::format("-{}", write(a, next(own)));
+      return fmt::format("-{}", write(a, tighter(own)));
     default:
       break;
   }

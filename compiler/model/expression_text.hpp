@@ -19,7 +19,7 @@ class ExpressionText {
 
  private:
   /// How strongly an operator holds its operands together, weakest first.
-  enum class Binding { Nothing, Comparison, Sum, Product, Sign, Power, Operand };
+  using Binding = graph::Precedence;
 
   static Binding binding(const Expression& expression);
   std::string write(ExpressionId id, Binding around) const;
