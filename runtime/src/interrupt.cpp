@@ -14,7 +14,8 @@ extern "C" void note_interrupt(int) { noted = 1; }
 void listen_for_interrupts() {
   struct sigaction action {};
   action.sa_handler = note_interrupt;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  // A write that is under way is finished (SA_RESTART), so that rows stay whole.
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }

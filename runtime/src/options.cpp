@@ -121,8 +121,9 @@ void add_flags(CLI::App& app, const Description& model, Typed& typed) {
   number("--every", or_default("distance of recorded rows in time; without it, each step", defaults.every),
          options.every, positive);
   app.add_option("--summary", options.summary, "write what the run found to this file, as JSON")->type_name("FILE");
-  app.add_flag("--quiet", options.quiet, "no summary on standard output");
-  app.add_flag("--progress", options.progress, "show on standard error how far the run is");
+  app.add_flag("--quiet", options.quiet, "no summary on standard output, no progress");
+  app.add_flag("--progress", options.progress,
+               "show on standard error how far the run is, also where it is short or no terminal");
   number("--repeat", "then integrate this often unobserved and report the fastest", options.repeat, positive_integer);
 }
 

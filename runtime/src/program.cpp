@@ -8,6 +8,7 @@
 #include "options.hpp"
 #include "output_file.hpp"
 #include "recorder.hpp"
+#include "report.hpp"
 #include "run.hpp"
 #include "summary.hpp"
 
@@ -83,7 +84,7 @@ int run_program(AnyModel& model, int argc, char** argv) {
     summary->commit();
   }
   if (!options.quiet && options.csv != "-" && options.summary != "-") {
-    fmt::print("{}", summary_text(description, options, outcome));
+    fmt::print("{}", report(description, options, outcome));
   }
   return is_well(csv) && is_well(summary) ? exit_code(outcome.status) : ExitUsage;
 }

@@ -1,13 +1,12 @@
 #include "run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
 #include <utility>
 
 #include "interrupt.hpp"
+#include "progress.hpp"
 #include "records.hpp"
 #include "start.hpp"
 
@@ -18,31 +17,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// A line on standard error that says how far the run is, at most five times a second.
-class Progress {
- public:
-  Progress(double from, double to) : from_(from), to_(to) {}
-  ~Progress() { fmt::print(stderr, "\n"); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void show(double time) {
-    if (time < to_ && seconds_since(shown_) < 0.2) {
-      return;
-    }
-    shown_ = Clock::now();
-    const double done = to_ > from_ ? (time - from_) / (to_ - from_) : 1;
-    const double remaining = done > 0 ? seconds_since(begin_) * (1 - done) / done : 0;
-    fmt::print(stderr, "\r{:5.1f} %, {:.0f} s remaining ", 100 * done, remaining);
-  }
-
- private:
-  const double from_;
-  const double to_;
-  const Clock::time_point begin_ = Clock::now();
-  Clock::time_point shown_ = begin_;
-};
-
 /// Shows each accepted state to everyone who wants to see it.
 class Watch final : public Observer {
  public:
@@ -50,7 +24,9 @@ class Watch final : public Observer {
         Recorder* recorder)
       : monitor_(model, islands), recorder_(recorder), time_(options.from), state_(std::move(start)) {
     if (options.progress) {
-      progress_.emplace(options.from, options.to);
+      progress_.emplace(options.from, options.to, Progress::From::FirstStep);
+    } else if (!options.quiet && options.csv != "-" && Progress::has_watcher()) {
+      progress_.emplace(options.from, options.to, Progress::From::FirstSecond);
     }
   }
 
@@ -71,7 +47,7 @@ class Watch final : public Observer {
       recording_ += seconds_since(begin);
     }
     if (progress_) {
-      progress_->show(time);
+      progress_->reached(time);
     }
     return !interrupted();
   }
@@ -114,6 +90,18 @@ Outcome inconsistent_start(const Options& options, std::string message, std::vec
 }
 
 }  // namespace
+
+const char* name(Status status) {
+  switch (status) {
+    case Status::Ok:
+      return "ok";
+    case Status::Failed:
+      return "failed";
+    case Status::Interrupted:
+      return "interrupted";
+  }
+  return "";
+}
 
 Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
   const std::vector<Island> islands = islands_of(model);

@@ -14,6 +14,9 @@ namespace mbrt {
 
 enum class Status { Ok, Failed, Interrupted };
 
+/// As summaries say it.
+const char* name(Status status);
+
 struct Outcome {
   Status status = Status::Ok;
   std::string message;  ///< why it failed, as shown to the user

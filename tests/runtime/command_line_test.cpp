@@ -92,7 +92,3 @@ TEST_CASE("without --quiet people read a summary, unless results go to the same 
         "t,x1,y1,vx1,vy1,ax1,ay1,angle\n0,1,0,0,0,0,-9.8100000000000005,0\n");
   CHECK(nlohmann::json::parse(run_plain("pendulum", {"--summary", "-"}).output)["status"] == "ok");
 }
-
-TEST_CASE("progress goes to standard error") {
-  CHECK(run_plain("pendulum", {"--progress"}).errors.find("100.0 %") != std::string::npos);
-}
