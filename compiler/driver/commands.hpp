@@ -14,6 +14,7 @@ struct ModelArguments {
   bool strict = false;
   bool werror = false;
   bool json_diagnostics = false;
+  bool assembles = false;  ///< as in CompileOptions
 };
 
 /// Writes the emitted file, or leaves an old one as it was. A depfile for make and ninja is written if asked for.

@@ -49,7 +49,8 @@ Compilation compile(std::string name, std::string text, const CompileOptions& op
     return c;
   }
   c.derivatives = mechanics::differentiate(*c.system, c.equations, *c.graph);
-  c.examination = examine(*c.system, c.equations, c.derivatives, c.diagnostics);
+  const auto start = options.assembles ? mechanics::Start::Assembled : mechanics::Start::Consistent;
+  c.examination = examine(*c.system, c.equations, c.derivatives, start, c.diagnostics);
   if (c.diagnostics.has_errors() || options.until == Stage::Derivatives) {
     return c;
   }

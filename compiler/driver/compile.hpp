@@ -22,6 +22,7 @@ enum class Stage { Tokens, Syntax, System, Equations, Derivatives, Program };
 struct CompileOptions {
   bool strict = false;  ///< forces and constraints in the paper's grammar
   Stage until = Stage::Program;
+  bool assembles = false;  ///< the start will be moved onto the constraints: it need not satisfy them
 };
 
 /// Every representation of one model that was reached before `until` or an error.

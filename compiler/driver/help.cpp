@@ -59,6 +59,7 @@ constexpr std::string_view run = R"(Flags of `mbcc run MODEL.mbd` and of emitted
   --method rk4                         classical Runge-Kutta with constant step
   --set NAME=VALUE ...                 parameters
   --initial NAME=VALUE ...             coordinates and speeds at the start
+  --assemble --fix NAME ...            move the start to the nearest consistent one; what is fixed or given stays
   --csv FILE --every DT                record rows (- is standard output)
   --summary FILE                       JSON: errors of every constraint, energy, rank, steps, times
   --cutoff X                           singular values below X of the largest count as zero (default 1e-8)

@@ -79,6 +79,7 @@ int run_main(const std::vector<std::string>& words) {
     return *code;
   }
   const std::vector<std::string> flags = app.remaining();
+  arguments.assembles = std::find(flags.begin(), flags.end(), "--assemble") != flags.end();
   for (const std::string& flag : flags) {
     if (flag.starts_with("--plot")) {
       return refuse("`--plot` is not available in this version of mbcc");

@@ -37,7 +37,7 @@ std::optional<Compilation> compile_model(const ModelArguments& arguments, Stage 
     return std::nullopt;
   }
   const std::string name = arguments.model == "-" ? "model.mbd" : arguments.model;
-  Compilation compilation = compile(name, std::move(*text), {arguments.strict, until});
+  Compilation compilation = compile(name, std::move(*text), {arguments.strict, until, arguments.assembles});
   show(compilation, arguments);
   return compilation;
 }

@@ -32,7 +32,7 @@ class Examiner {
         diagnostics_(diagnostics),
         start_(initial_point(system, equations)) {}
 
-  Examination examine() {
+  Examination examine(Start start) {
     Examination found;
     if (!check_start_is_finite()) {
       return found;
@@ -51,7 +51,8 @@ class Examiner {
       found.ranks.push_back(rows - dependences.size());
       for (const Dependence& dependence : dependences) {
         found.redundant.push_back(dependence.row);
-        contradicting[dependence.row] = check_contradiction(dependence);
+        // Off the constraints, rows that agree on them need not agree: the run will tell, where it starts.
+        contradicting[dependence.row] = start == Start::Consistent && check_contradiction(dependence);
         if (!contradicting[dependence.row]) {
           const model::Constraint& constraint = system_.constraints[dependence.row];
           diagnostics_.report(Finding::RedundantConstraint, constraint.span, constraint.name, found.ranks.back(), rows);
@@ -59,7 +60,7 @@ class Examiner {
       }
     }
     for (const Row& row : derivatives_.rows) {
-      if (!contradicting[row.constraint]) {
+      if (start == Start::Consistent && !contradicting[row.constraint]) {
         check_start_holds(row);
       }
     }
@@ -195,8 +196,9 @@ class Examiner {
 }  // namespace mechanics
 
 mechanics::Examination examine(const model::System& system, const mechanics::Equations& equations,
-                               const mechanics::Derivatives& derivatives, Diagnostics& diagnostics) {
-  return mechanics::Examiner(system, equations, derivatives, diagnostics).examine();
+                               const mechanics::Derivatives& derivatives, mechanics::Start start,
+                               Diagnostics& diagnostics) {
+  return mechanics::Examiner(system, equations, derivatives, diagnostics).examine(start);
 }
 
 }  // namespace mbcc

@@ -21,10 +21,14 @@ struct Examination {
 /// digits passes, a wrong digit does not.
 inline constexpr double start_tolerance = 1e-6;
 
+/// Whether the model's own start has to be consistent, or will be moved to where it is.
+enum class Start { Consistent, Assembled };
+
 }  // namespace mechanics
 
 /// Reports what is wrong with the physics of the model at the lines that caused it.
 mechanics::Examination examine(const model::System& system, const mechanics::Equations& equations,
-                               const mechanics::Derivatives& derivatives, Diagnostics& diagnostics);
+                               const mechanics::Derivatives& derivatives, mechanics::Start start,
+                               Diagnostics& diagnostics);
 
 }  // namespace mbcc

@@ -30,6 +30,7 @@ struct Typed {
   double tolerance = not_given;
   std::vector<std::string> set;
   std::vector<std::string> initial;
+  std::vector<std::string> fix;
   std::string project = "off";
 };
 
@@ -60,6 +61,14 @@ long positive_integer(std::string_view text, std::string_view flag) {
   return static_cast<long>(value);
 }
 
+std::size_t index_of(std::string_view name, std::string_view kind, std::span<const std::string_view> names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    throw UsageError{fmt::format("the model has no {} `{}`{}", kind, name, guess_at(name, names))};
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
 /// NAME=VALUE pairs as indices into `names`.
 std::vector<Assignment> assignments(const std::vector<std::string>& texts, std::string_view flag, std::string_view kind,
                                     std::span<const std::string_view> names) {
@@ -70,11 +79,7 @@ std::vector<Assignment> assignments(const std::vector<std::string>& texts, std::
       throw UsageError{fmt::format("`{} {}` is not of the form NAME=VALUE", flag, text)};
     }
     const std::string_view name = std::string_view(text).substr(0, equals);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-      throw UsageError{fmt::format("the model has no {} `{}`{}", kind, name, guess_at(name, names))};
-    }
-    const auto index = static_cast<std::size_t>(found - names.begin());
+    const std::size_t index = index_of(name, kind, names);
     for (const Assignment& earlier : result) {
       if (earlier.index == index) {
         throw UsageError{fmt::format("`{}` gives `{}` two values", flag, name)};
@@ -83,6 +88,18 @@ std::vector<Assignment> assignments(const std::vector<std::string>& texts, std::
     result.push_back({index, finite(std::string_view(text).substr(equals + 1), fmt::format("{} {}", flag, text))});
   }
   return result;
+}
+
+/// What `--fix` names.
+std::vector<std::size_t> fixed(const Typed& typed, std::span<const std::string_view> state) {
+  if (!typed.fix.empty() && !typed.options.assemble) {
+    throw UsageError{"`--fix` holds what `--assemble` would move: it needs `--assemble`"};
+  }
+  std::vector<std::size_t> indices;
+  for (const std::string& name : typed.fix) {
+    indices.push_back(index_of(name, "coordinate or speed", state));
+  }
+  return indices;
 }
 
 std::string or_default(const char* text, double value) {
@@ -110,8 +127,9 @@ void add_flags(CLI::App& app, const Description& model, Typed& typed) {
   number("--tolerance", "error per step, for methods that choose their step", typed.tolerance, positive);
   app.add_option("--set", typed.set, "value of a parameter, any number of times")->type_name("NAME=VALUE");
   app.add_option("--initial", typed.initial, "value of a coordinate or speed at the start")->type_name("NAME=VALUE");
-  refused("--assemble", "", "move the start to the nearest consistent one");
-  refused("--fix", "NAME", "hold a coordinate while assembling");
+  app.add_flag("--assemble", options.assemble, "move the start to the nearest consistent one");
+  app.add_option("--fix", typed.fix, "hold a coordinate or speed while assembling, any number of times")
+      ->type_name("NAME");
   app.add_option("--project", typed.project, "project onto the constraints after a step; only `off` is accepted")
       ->type_name("on|off");
   refused("--stabilize", "B1,B2,B3", "Baumgarte stabilization");
@@ -198,6 +216,7 @@ Options checked(const Description& model, Typed typed) {
   check_files(typed.options);
   typed.options.parameters = assignments(typed.set, "--set", "parameter", parameters);
   typed.options.initial = assignments(typed.initial, "--initial", "coordinate or speed", state);
+  typed.options.fixed = fixed(typed, state);
   return typed.options;
 }
 

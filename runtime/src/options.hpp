@@ -27,8 +27,10 @@ struct Options {
   double cutoff = default_cutoff;
   std::vector<Assignment> parameters;
   std::vector<Assignment> initial;
-  std::string csv;      ///< empty: no recording; `-`: standard output
-  std::string summary;  ///< likewise
+  bool assemble = false;
+  std::vector<std::size_t> fixed;  ///< elements of the state that assembling holds, besides those of `initial`
+  std::string csv;                 ///< empty: no recording; `-`: standard output
+  std::string summary;             ///< likewise
   bool quiet = false;
   bool progress = false;
   long repeat = 0;

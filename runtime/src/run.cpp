@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "assemble.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "records.hpp"
@@ -80,6 +81,20 @@ class Watch final : public Observer {
   std::vector<double> state_;
 };
 
+/// Sets the model's time to the start, and the islands to the start's scales; the start is assembled if it is to be.
+std::vector<double> begin_run(AnyModel& model, const std::vector<Island>& islands, const Options& options) {
+  std::vector<double> state = start_state(model, options);
+  for (const Island& island : islands) {
+    island.record->cutoff = options.cutoff;
+  }
+  take_row_scales(model, islands, options.from, state);
+  if (options.assemble) {
+    assemble(model, islands, held_elements(options, state.size()), state);
+    take_row_scales(model, islands, options.from, state);
+  }
+  return state;
+}
+
 Outcome inconsistent_start(const Options& options, std::string message, std::vector<double> state) {
   Outcome outcome;
   outcome.status = Status::Failed;
@@ -105,11 +120,7 @@ const char* name(Status status) {
 
 Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
   const std::vector<Island> islands = islands_of(model);
-  std::vector<double> state = start_state(model, options);
-  for (const Island& island : islands) {
-    island.record->cutoff = options.cutoff;
-  }
-  take_row_scales(model, islands, options.from, state);
+  std::vector<double> state = begin_run(model, islands, options);
   if (std::string message = find_inconsistencies(model, islands, state); !message.empty()) {
     return inconsistent_start(options, std::move(message), std::move(state));
   }
@@ -125,7 +136,8 @@ Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
 
 double fastest_run(AnyModel& model, const Options& options) {
   const TimeGrid grid = time_grid(options.from, options.to, options.step);
-  const std::vector<double> start = start_state(model, options);
+  const std::vector<Island> islands = islands_of(model);
+  const std::vector<double> start = begin_run(model, islands, options);
   std::vector<double> state(start);
   double fastest = std::numeric_limits<double>::infinity();
   for (long i = 0; i < options.repeat && !interrupted(); ++i) {

@@ -56,6 +56,17 @@ std::vector<double> start_state(AnyModel& model, const Options& options) {
   return state;
 }
 
+std::vector<bool> held_elements(const Options& options, std::size_t size) {
+  std::vector<bool> held(size);
+  for (const Assignment& initial : options.initial) {
+    held[initial.index] = true;
+  }
+  for (const std::size_t index : options.fixed) {
+    held[index] = true;
+  }
+  return held;
+}
+
 void take_row_scales(AnyModel& model, const std::vector<Island>& islands, double time,
                      const std::vector<double>& state) {
   model.set_time(time + offset(0));

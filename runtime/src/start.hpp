@@ -12,6 +12,9 @@ namespace mbrt {
 /// Sets the parameters and returns the model's own start with the values of the command line.
 std::vector<double> start_state(AnyModel& model, const Options& options);
 
+/// Which elements of the state assembling holds: what the command line fixes or gives a value.
+std::vector<bool> held_elements(const Options& options, std::size_t size);
+
 /// Sets the model's time to `time` and takes the row scales and pivot floors of all islands there. A row that vanishes
 /// at the start has the scale of the rows a little way off, in state and time.
 void take_row_scales(AnyModel& model, const std::vector<Island>& islands, double time,

@@ -56,6 +56,22 @@ TEST_CASE("a run takes the program's flags and gives its exit code") {
   CHECK(run_mbcc({"run", model, "--werror", "--quiet"}).exit_code == 0);
 }
 
+TEST_CASE("a model whose start is off runs if it is to be assembled, and by mass") {
+  const Workshop shop;
+  const Variable compiler("CXX", "/nonexistent/c++");
+  const std::string model = shop.write("rod.mbd", R"(dimension 1
+particle 1 { mass = 1; position = 0 }
+particle 2 { mass = 3; position = 1.4 }
+constraint rod : x2 - x1 = 1
+integrate { to = 0; step = 1; method = rk4 }
+)");
+  CHECK(run_mbcc({"run", model}).exit_code == 1);
+  const Run run = run_model(model, {"--assemble"});
+  CHECK(run.exit_code == 0);
+  CHECK(run.final_value("x1") == Approx(0.3).epsilon(1e-14));  // Newton's method ends within roundings
+  CHECK(run.final_value("x2") == Approx(1.3).epsilon(1e-14));
+}
+
 TEST_CASE("a compiler that fails is a bug in mbcc, and says what it said") {
   const Workshop shop;
   const std::string script = shop.write("broken-c++", "#!/bin/sh\necho out of order\nexit 1\n");

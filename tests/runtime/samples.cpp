@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
     int (*run)(int, char**);
   } scenes[] = {{"pendulum", run<Pendulum>},   {"paper", run<Paper>},         {"throw", run<Throw>},
                 {"edge", run<Edge>},           {"cliff", run<Cliff>},         {"contradiction", run<Contradiction>},
-                {"redundant", run<Redundant>}, {"vanishing", run<Vanishing>}, {"opening", run<Opening>}};
+                {"redundant", run<Redundant>}, {"vanishing", run<Vanishing>}, {"opening", run<Opening>},
+                {"loose", run<Loose>}};
   for (const auto& scene : scenes) {
     if (argc > 1 && scene.name == argv[1]) {
       return scene.run(argc - 1, argv + 1);

@@ -307,6 +307,45 @@ struct Vanishing : PlainScene {
   }
 };
 
+/// A particle near the ellipse x^2/4 + y^2 = 1, required twice, and one whose speed is to be 2: both off at the start.
+struct Loose : PlainScene {
+  static constexpr std::size_t size = 4, constraints = 3;
+
+  static const Description& description() {
+    static constexpr std::array<ConstraintEntry, 3> entries = {
+        {{"ellipse", "loose.mbd:4", true}, {"again", "loose.mbd:5", true}, {"pace", "loose.mbd:6", false}}};
+    static constexpr std::array<IslandEntry, 2> islands = {
+        {{std::span(indices).first(2), std::span(indices).first(2)},
+         {std::span(indices).subspan(2, 1), std::span(indices).subspan(2, 2)}}};
+    static constexpr std::array<const char*, 4> positions = {"x1", "y1", "x2", "y2"};
+    static constexpr std::array<const char*, 4> speeds = {"vx1", "vy1", "vx2", "vy2"};
+    static const Description result = [] {
+      Description d = describe("loose", size, entries, islands, {0, 0, 0.01, not_given, not_given, "rk4"});
+      d.coordinates = positions;
+      d.speeds = speeds;
+      return d;
+    }();
+    return result;
+  }
+
+  static std::array<double, 8> start() { return {2, 1, 0, 0, 0.5, 0.25, 0.9, 1.2}; }
+  template <class State>
+  void free(double, const State&, std::array<double, size>& a) const {
+    a = {};
+  }
+  template <class State>
+  ConstraintValue<size> constraint(int k, double, const State& y) const {
+    const double factor = k + 1;  // of the ellipse's two rows
+    if (k < 2) {
+      return {factor * (y[0] * y[0] / 4 + y[1] * y[1] - 1),
+              factor * (y[0] * y[4] / 2 + 2 * y[1] * y[5]),
+              {factor * y[0] / 2, factor * 2 * y[1]},
+              -factor * (y[4] * y[4] / 2 + 2 * y[5] * y[5])};
+    }
+    return {0, y[6] * y[6] + y[7] * y[7] - 4, {0, 0, 2 * y[6], 2 * y[7]}, 0};
+  }
+};
+
 /// 1e-9 x y = 0 along the x axis, with a pull t along y: the row vanishes at the start and grows with x = t.
 struct Opening : PlainScene {
   static constexpr std::size_t size = 2, constraints = 1;
