@@ -1,9 +1,6 @@
 #include "driver/build.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -11,9 +8,8 @@
 #include <sstream>
 
 #include "driver/files.hpp"
+#include "driver/process.hpp"
 #include "emit/emit.hpp"
-
-extern char** environ;
 
 namespace mbcc {
 
@@ -85,24 +81,6 @@ std::string cache_key(const std::string& source, const std::vector<std::string>&
                      fs::last_write_time(runtime.library, ignored).time_since_epoch().count(), source);
 }
 
-/// Runs `command` with both outputs in `log`; whether it ended well.
-bool run_command(const std::vector<std::string>& command, const fs::path& log) {
-  std::vector<char*> arguments;
-  for (const std::string& word : command) {
-    arguments.push_back(const_cast<char*>(word.c_str()));
-  }
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  return failure == 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 }  // namespace
 
 std::vector<std::string> split_words(const std::string& text) {
@@ -138,7 +116,7 @@ BuildResult build_program(const std::string& source, const std::vector<std::stri
   const fs::path program = directory / "simulation";
   std::error_code failure;
   if (fs::exists(program, failure) && read_file((directory / "key").string()) == key) {
-    return {program.string(), ""};
+    return {program.string(), "", false};
   }
   fs::create_directories(directory, failure);
   const std::string unfinished = fmt::format("unfinished-{}", getpid());
@@ -146,13 +124,14 @@ BuildResult build_program(const std::string& source, const std::vector<std::stri
   const fs::path source_file = directory / (unfinished + ".cpp");
   const fs::path log = directory / (unfinished + ".log");
   if (failure || !write_file(source_file.string(), source)) {
-    return {"", fmt::format("cannot write to the cache directory `{}`\n", directory.string())};
+    return {"", fmt::format("cannot write to the cache directory `{}`\n", directory.string()), false};
   }
   for (const std::string& word : {source_file.string(), std::string("-o"), built.string(), runtime.library.string()}) {
     command.push_back(word);
   }
-  const bool compiled = run_command(command, log);
-  BuildResult result{"", compiled ? "" : read_file(log.string()).value_or("")};
+  const ProcessEnd compiler_end = run_process(command, log.string());
+  const bool compiled = compiler_end.exit_code == 0;
+  BuildResult result{"", compiled ? "" : read_file(log.string()).value_or(""), compiler_end.interrupted};
   std::error_code ignored;
   if (compiled) {
     // The key is in place before the program: who finds the program finds its key.
@@ -160,8 +139,9 @@ BuildResult build_program(const std::string& source, const std::vector<std::stri
     fs::rename(built, program, failure);
     result.program = keyed && !failure ? program.string() : "";
   }
-  fs::remove(source_file, ignored);
-  fs::remove(log, ignored);
+  for (const fs::path& rest : {source_file, log, built}) {
+    fs::remove(rest, ignored);
+  }
   return result;
 }
 

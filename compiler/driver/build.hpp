@@ -16,6 +16,7 @@ inline constexpr const char* default_cxx_flags = "-O3 -march=native";
 struct BuildResult {
   std::string program;  ///< path of the executable; empty if the build failed
   std::string output;   ///< what the compiler said, or why the build could not start
+  bool interrupted;     ///< the build failed because mbcc was asked to stop
 };
 
 /// Compiles and links `source`. The program is kept in the user's cache directory ($XDG_CACHE_HOME/mbcc or

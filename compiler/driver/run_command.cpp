@@ -46,6 +46,9 @@ int run_command(const ModelArguments& arguments, const std::string& cxx_flags, c
   }
   const std::string text = emit(*compilation->program, system, compilation->sources, {false, arguments.strict});
   const BuildResult built = build_program(text, *compiler, split_words(cxx_flags));
+  if (built.interrupted) {
+    return exit_interrupted;
+  }
   if (built.program.empty()) {
     fmt::print(stderr, "{}mbcc: error: the emitted program did not build\n", built.output);
     return exit_mbcc_bug;
