@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -53,6 +54,23 @@ bool write_file(const std::string& path, std::string_view text) {
     return false;
   }
   return true;
+}
+
+ScratchFile::ScratchFile(std::string_view text) {
+  std::error_code ignored;
+  path_ = (fs::temp_directory_path(ignored) / "mbcc_XXXXXX").string();
+  const int file = mkstemp(path_.data());
+  if (file == -1) {
+    path_.clear();
+    return;
+  }
+  close(file);
+  std::ofstream(path_, std::ios::binary) << text;
+}
+
+ScratchFile::~ScratchFile() {
+  std::error_code ignored;
+  fs::remove(path_, ignored);
 }
 
 std::string relative_to_file(const std::string& file, const std::string& path) {

@@ -77,13 +77,27 @@ TEST_CASE("verify shows where a file differs from what mbcc emits") {
   REQUIRE(run_mbcc({model, "-o", shop.path("sim.cpp")}).exit_code == 0);
   std::string changed = shop.read("sim.cpp");
   changed.replace(changed.find("9.81"), 4, "1.62");
-  const Outcome outcome = run_mbcc({"verify", model, shop.write("changed.cpp", changed)});
+  const Outcome outcome = run_mbcc({"verify", model, shop.write("changed.cpp", changed + "// more\n")});
   CHECK(outcome.exit_code == 1);
-  CHECK(outcome.output.find("--- " + shop.path("changed.cpp") + "\n+++ what mbcc ") == 0);
+  CHECK(outcome.errors.empty());
+  const std::string version = run_mbcc({"--version"}).output;
+  CHECK(outcome.output.find("--- " + shop.path("changed.cpp") + "\n+++ what " + version.substr(0, version.find('\n')) +
+                            " emits for " + model + "\n@@ -") == 0);
   CHECK(outcome.output.find("\n-        {\"g\", 1.62},\n+        {\"g\", 9.81},\n") != std::string::npos);
-  const Outcome longer = run_mbcc({"verify", model, shop.write("longer.cpp", shop.read("sim.cpp") + "// more\n")});
-  CHECK(longer.exit_code == 1);
-  CHECK(longer.output.find("\n-// more\n") != std::string::npos);
+  CHECK(outcome.output.find("\n }\n-// more\n") != std::string::npos);
+  CHECK(std::count(outcome.output.begin(), outcome.output.end(), '\n') <
+        30);  // two hunks, and not what is between them
+  const Variable path("PATH", "/nonexistent");
+  const Outcome untold = run_mbcc({"verify", model, shop.path("changed.cpp")});
+  CHECK(untold.exit_code == 1);
+  CHECK(untold.errors == "mbcc: error: `" + shop.path("changed.cpp") + "` is not what " +
+                             version.substr(0, version.find('\n')) + " emits for " + model +
+                             ", and `diff` could not show where\n");
+}
+
+TEST_CASE("verify refuses a file that mbcc did not emit") {
+  const Workshop shop;
+  const std::string model = shop.write("pendulum.mbd", pendulum);
   const Outcome foreign = run_mbcc({"verify", model, model});
   CHECK(foreign.exit_code == 1);
   CHECK(foreign.errors == "mbcc: error: `" + model + "` is no file that mbcc emitted: its header names no options\n");
