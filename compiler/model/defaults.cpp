@@ -1,3 +1,4 @@
+#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -26,7 +27,7 @@ std::set<ExpressionId> needed_by(const Arena& arena, ExpressionId root) {
 
 }  // namespace
 
-double value_at_defaults(const Arena& arena, const std::vector<Parameter>& parameters, ExpressionId id) {
+std::optional<double> value_at_defaults(const Arena& arena, const std::vector<Parameter>& parameters, ExpressionId id) {
   std::unordered_map<std::uint32_t, double> values;
   for (const ExpressionId needed : needed_by(arena, id)) {
     const Expression& expression = arena.expressions()[index(needed)];
@@ -35,6 +36,9 @@ double value_at_defaults(const Arena& arena, const std::vector<Parameter>& param
       value = expression.number;
     } else if (expression.kind == ExpressionKind::Parameter) {
       value = parameters[expression.index].value;
+      if (std::isnan(value)) {
+        return std::nullopt;
+      }
     } else {
       MBCC_ASSERT(expression.kind == ExpressionKind::Apply);
       std::array<const double*, 3> operands{};

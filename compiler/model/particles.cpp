@@ -92,9 +92,9 @@ ExpressionId SystemBuilder::mass_of(const Particle& particle, const ast::Field* 
     return {};
   }
   const ExpressionId id = context_.arena.node(mass.value[0], mass.span);
-  const double value = value_at_defaults(context_.arena, system_.parameters, id);
-  if (!(value > 0)) {
-    context_.report.report(Finding::MassNotPositive, mass.span, describe(particle), value);
+  const std::optional<double> value = value_at_defaults(context_.arena, system_.parameters, id);
+  if (value && !(*value > 0)) {
+    context_.report.report(Finding::MassNotPositive, mass.span, describe(particle), *value);
   }
   return id;
 }

@@ -68,6 +68,10 @@ Evaluator::Base Evaluator::element(const Symbol& symbol, const ast::Part& part, 
   }
   const auto found = symbol.elements.find(*at);
   if (found == symbol.elements.end()) {
+    // The dimension is found before anything but constants is entered.
+    if (symbol.kind != SymbolKind::Constant && refuse_unless_structural(part.name, describe(symbol.kind), part.span)) {
+      return {};
+    }
     report_not_declared(symbol, part, *at, frame);
     return {};
   }

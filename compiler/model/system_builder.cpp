@@ -1,13 +1,16 @@
 #include "model/system_builder.hpp"
 
+#include <limits>
+
 namespace mbcc::model {
 
 void SystemBuilder::add_parameters() {
   for (Definition& definition : context_.symbols.definitions) {
     if (definition.kind == SymbolKind::Parameter) {
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
       const Value value = evaluator_.evaluate(definition);
       system_.parameters.push_back(
-          {definition.name, value.is_nothing() ? 0 : value[0].number, definition.declarator->span});
+          {definition.name, value.is_nothing() ? unknown : value[0].number, definition.declarator->span});
     }
   }
 }

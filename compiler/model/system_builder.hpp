@@ -2,6 +2,7 @@
 // Fills the System from the statements of a model, one function per kind of statement.
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -68,8 +69,9 @@ class SystemBuilder {
   std::map<std::string, Span> output_columns_;
 };
 
-/// The value of `id` where every parameter has its default.
-double value_at_defaults(const Arena& arena, const std::vector<Parameter>& parameters, ExpressionId id);
+/// The value of `id` where every parameter has its default; nothing if one that it needs has none, which has been
+/// reported.
+std::optional<double> value_at_defaults(const Arena& arena, const std::vector<Parameter>& parameters, ExpressionId id);
 
 /// The span of one component if `expression` is written as a vector, else of all of it.
 Span component_span(const ast::Expression& expression, std::size_t axis);
