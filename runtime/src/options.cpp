@@ -136,6 +136,8 @@ void add_flags(CLI::App& app, const Description& model, Typed& typed) {
   number("--cutoff", fmt::format("relative size below which singular values count as zero [{}]", default_cutoff),
          options.cutoff, positive);
   app.add_option("--csv", options.csv, "record the motion in this file; `-` is standard output")->type_name("FILE");
+  app.add_option("--npy", options.npy, "record the motion in this file, in the form of NumPy")->type_name("FILE");
+  app.add_flag("--residuals", options.residuals, "record the errors of the constraints and the energy as well");
   number("--every", or_default("distance of recorded rows in time; without it, each step", defaults.every),
          options.every, positive);
   app.add_option("--summary", options.summary, "write what the run found to this file, as JSON")->type_name("FILE");
@@ -196,8 +198,20 @@ void check_times(const Options& options) {
 }
 
 void check_files(const Options& options) {
-  if (!options.csv.empty() && options.csv == options.summary) {
-    throw UsageError{fmt::format("`--csv` and `--summary` both write to `{}`", options.csv)};
+  const std::pair<const char*, const std::string&> files[] = {
+      {"--csv", options.csv}, {"--npy", options.npy}, {"--summary", options.summary}};
+  for (const auto& [flag, file] : files) {
+    for (const auto& [other_flag, other] : files) {
+      if (flag != other_flag && !file.empty() && file == other) {
+        throw UsageError{fmt::format("`{}` and `{}` both write to `{}`", flag, other_flag, file)};
+      }
+    }
+  }
+  if (options.npy == "-") {
+    throw UsageError{"`--npy` needs a file: the number of rows stands at its beginning and is known at the end"};
+  }
+  if (options.residuals && options.csv.empty() && options.npy.empty()) {
+    throw UsageError{"`--residuals` adds to what is recorded: it needs `--csv` or `--npy`"};
   }
   if (options.cutoff > largest_cutoff) {
     throw UsageError{fmt::format("the cut-off {} is above {}", options.cutoff, largest_cutoff)};

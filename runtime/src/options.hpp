@@ -30,7 +30,9 @@ struct Options {
   bool assemble = false;
   std::vector<std::size_t> fixed;  ///< elements of the state that assembling holds, besides those of `initial`
   std::string csv;                 ///< empty: no recording; `-`: standard output
-  std::string summary;             ///< likewise
+  std::string npy;                 ///< empty: no recording
+  bool residuals = false;          ///< record errors of constraints and the energy too
+  std::string summary;             ///< empty: none; `-`: standard output
   bool quiet = false;
   bool progress = false;
   long repeat = 0;

@@ -46,6 +46,13 @@ void OutputFile::write(std::string_view text) {
   }
 }
 
+void OutputFile::rewrite_beginning(std::string_view text) {
+  if (error_.empty() && std::fseek(file_, 0, SEEK_SET) != 0) {
+    fail();
+  }
+  write(text);
+}
+
 bool OutputFile::commit() {
   if (error_.empty() && std::fflush(file_) != 0) {
     fail();

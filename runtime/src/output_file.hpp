@@ -18,6 +18,9 @@ class OutputFile {
 
   void write(std::string_view text);
 
+  /// Writes over what the file begins with, which must be as long. Fails where one cannot go back (a pipe).
+  void rewrite_beginning(std::string_view text);
+
   /// Gives the file its name. False, and nothing left behind, if anything failed until then.
   bool commit();
 

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "interrupt.hpp"
 #include "mbrt/any_model.hpp"
@@ -35,13 +38,19 @@ std::optional<OutputFile>& open(std::optional<OutputFile>& file, const std::stri
   return file;
 }
 
-/// Whether everything written so far has arrived; says so if not.
-bool is_well(const std::optional<OutputFile>& file) {
-  if (!file || file->error().empty()) {
-    return true;
+/// Whether there is no error; shows one.
+bool is_well(const std::string& error) {
+  if (!error.empty()) {
+    fmt::print(stderr, "error: {}\n", error);
   }
-  fmt::print(stderr, "error: {}\n", file->error());
-  return false;
+  return error.empty();
+}
+
+/// Whether everything written so far has arrived; says so if not.
+bool is_well(const std::optional<OutputFile>& file) { return !file || is_well(file->error()); }
+
+bool are_well(const std::vector<std::unique_ptr<RowFile>>& files) {
+  return std::all_of(files.begin(), files.end(), [](const auto& file) { return is_well(file->error()); });
 }
 
 void print_message(std::string_view message) {
@@ -60,19 +69,22 @@ int run_program(AnyModel& model, int argc, char** argv) {
   }
   const Options& options = std::get<Options>(line);
   listen_for_interrupts();
-  std::optional<OutputFile> csv, summary;
-  if (!is_well(open(csv, options.csv)) || !is_well(open(summary, options.summary))) {
+  const std::vector<std::unique_ptr<RowFile>> recordings = open_recordings(description, options);
+  std::optional<OutputFile> summary;
+  if (!are_well(recordings) || !is_well(open(summary, options.summary))) {
     return ExitUsage;
   }
   std::optional<Recorder> recorder;
-  if (csv) {
-    recorder.emplace(model, *csv, options.from, options.every);
+  if (!recordings.empty()) {
+    recorder.emplace(model, options, recordings);
   }
   Outcome outcome = run(model, options, recorder ? &*recorder : nullptr);
   print_message(outcome.message);
   if (recorder) {
     recorder->finish();
-    csv->commit();
+    for (const auto& file : recordings) {
+      file->commit();
+    }
   }
   if (options.repeat > 0 && outcome.status == Status::Ok) {
     const double fastest = fastest_run(model, options);
@@ -86,7 +98,7 @@ int run_program(AnyModel& model, int argc, char** argv) {
   if (!options.quiet && options.csv != "-" && options.summary != "-") {
     fmt::print("{}", report(description, options, outcome));
   }
-  return is_well(csv) && is_well(summary) ? exit_code(outcome.status) : ExitUsage;
+  return are_well(recordings) && is_well(summary) ? exit_code(outcome.status) : ExitUsage;
 }
 
 }  // namespace mbrt

@@ -1,28 +1,13 @@
 #include "recorder.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "records.hpp"
 
 namespace mbrt {
 namespace {
-
-constexpr std::size_t buffer_size = 1 << 16;
-
-/// Names of elements of several indices hold commas.
-void append_quoted(std::string& text, std::string_view name) {
-  if (name.find_first_of(",\"") == std::string_view::npos) {
-    text += name;
-  } else {
-    text += '"';
-    text += name;
-    text += '"';
-  }
-}
 
 /// Whether two times are the same but for the rounding of from + i step.
 bool same_time(double a, double b, double from) {
@@ -31,33 +16,29 @@ bool same_time(double a, double b, double from) {
 
 }  // namespace
 
-Recorder::Recorder(AnyModel& model, OutputFile& file, double from, double every)
+std::vector<std::unique_ptr<RowFile>> open_recordings(const Description& model, const Options& options) {
+  std::vector<std::unique_ptr<RowFile>> files;
+  const std::vector<std::string> names = column_names(model, options.residuals);
+  if (!options.csv.empty()) {
+    files.push_back(std::make_unique<CsvFile>(options.csv, names));
+  }
+  if (!options.npy.empty()) {
+    files.push_back(std::make_unique<NpyFile>(options.npy, names));
+  }
+  return files;
+}
+
+Recorder::Recorder(AnyModel& model, const Options& options, std::span<const std::unique_ptr<RowFile>> files)
     : model_(model),
-      file_(file),
-      from_(from),
-      every_(every),
+      files_(files),
+      maker_(model, options.residuals),
+      from_(options.from),
+      every_(options.every),
       islands_(islands_of(model)),
       last_state_(state_size(model.description())),
       last_rate_(last_state_.size()),
       between_state_(last_state_.size()),
-      between_rate_(last_state_.size()),
-      outputs_(model.description().outputs.size()) {
-  buffer_.reserve(2 * buffer_size);
-  write_header();
-}
-
-void Recorder::write_header() {
-  const Description& description = model_.description();
-  buffer_ += 't';
-  for (const auto names :
-       {description.coordinates, description.speeds, description.accelerations, description.outputs}) {
-    for (const char* const name : names) {
-      buffer_ += ',';
-      append_quoted(buffer_, name);
-    }
-  }
-  buffer_ += '\n';
-}
+      between_rate_(last_state_.size()) {}
 
 void Recorder::accepted(double time, std::span<const double> state, std::span<const double> rate) {
   if (std::isnan(every_)) {
@@ -103,31 +84,9 @@ void Recorder::interpolate(double at, double time, std::span<const double> state
 }
 
 void Recorder::write_row(double time, std::span<const double> state, std::span<const double> rate) {
-  model_.outputs(state, rate, outputs_);
-  write_number(time);
-  for (const auto values :
-       {state, rate.subspan(model_.description().coordinates.size()), std::span<const double>(outputs_)}) {
-    for (const double value : values) {
-      buffer_ += ',';
-      write_number(value);
-    }
-  }
-  buffer_ += '\n';
-  flush_if_full();
-}
-
-void Recorder::write_number(double value) {
-  constexpr int significant_digits = std::numeric_limits<double>::max_digits10;
-  char digits[32];
-  const auto [end, error] =
-      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, significant_digits);
-  buffer_.append(digits, end);
-}
-
-void Recorder::flush_if_full() {
-  if (buffer_.size() >= buffer_size) {
-    file_.write(buffer_);
-    buffer_.clear();
+  const std::span<const double> row = maker_.row(time, state, rate);
+  for (const auto& file : files_) {
+    file->write_row(row);
   }
 }
 
@@ -136,8 +95,6 @@ void Recorder::finish() {
     model_.set_time(last_time_);
     write_row(last_time_, last_state_, last_rate_);
   }
-  file_.write(buffer_);
-  buffer_.clear();
 }
 
 }  // namespace mbrt

@@ -1,22 +1,27 @@
 #pragma once
-// The motion as rows of comma-separated values.
+// Which rows are recorded of a motion.
 
+#include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "columns.hpp"
 #include "mbrt/any_model.hpp"
-#include "output_file.hpp"
+#include "options.hpp"
+#include "row_file.hpp"
 
 namespace mbrt {
 
-/// Writes a header (`t`, positions, velocities, accelerations, outputs) and then rows with 17 significant digits: each
-/// accepted state, or with `every` the states at from + k every and, whether on that grid or not, the last one. Rows
-/// between accepted states take the state from the cubic Hermite interpolant, and accelerations and outputs from the
-/// model at that state.
+/// The files that a command line asks for, with their headers; each may have failed already.
+std::vector<std::unique_ptr<RowFile>> open_recordings(const Description& model, const Options& options);
+
+/// Writes a row of every column for each accepted state, or with `every` for the states at from + k every and, whether
+/// on that grid or not, the last one. Rows between accepted states take the state from the cubic Hermite interpolant,
+/// and accelerations and outputs from the model at that state.
 class Recorder {
  public:
-  Recorder(AnyModel& model, OutputFile& file, double from, double every);
+  /// The files must outlive the recorder.
+  Recorder(AnyModel& model, const Options& options, std::span<const std::unique_ptr<RowFile>> files);
 
   /// Each accepted state in turn, the start first. May change the model's time.
   void accepted(double time, std::span<const double> state, std::span<const double> rate);
@@ -25,15 +30,13 @@ class Recorder {
   void finish();
 
  private:
-  void write_header();
   void write_row(double time, std::span<const double> state, std::span<const double> rate);
-  void write_number(double value);
   void write_between(double time, std::span<const double> state, std::span<const double> rate);
   void interpolate(double at, double time, std::span<const double> state, std::span<const double> rate);
-  void flush_if_full();
 
   AnyModel& model_;
-  OutputFile& file_;
+  const std::span<const std::unique_ptr<RowFile>> files_;
+  RowMaker maker_;
   const double from_;
   const double every_;
   const std::vector<Island> islands_;
@@ -41,8 +44,7 @@ class Recorder {
   bool last_written_ = true;  // the last accepted state has its row
   double last_time_ = 0;
   std::vector<double> last_state_, last_rate_;
-  std::vector<double> between_state_, between_rate_, outputs_;
-  std::string buffer_;
+  std::vector<double> between_state_, between_rate_;
 };
 
 }  // namespace mbrt
