@@ -44,7 +44,7 @@ class Report {
       rank_events();
       ladder_counts();
     }
-    if (model_.has_energy) {
+    if (model_.has_energy && outcome_.evaluations > 0) {
       line("energy {:.6g}, largest drift {:.3g}", findings_.initial_energy, findings_.energy_drift);
     }
     return std::move(text_);
