@@ -19,12 +19,14 @@ void SystemBuilder::add_particles() {
   std::vector<Fields> fields;
   for (const Particle& particle : context_.symbols.particles) {
     fields.push_back(fields_of("particle", particle.syntax->fields, {"mass", "position", "velocity", "force"}));
+    Place& place = system_.places.emplace_back();
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(context_.dimension); ++axis) {
       const SpeedId speed{static_cast<std::uint32_t>(system_.speeds.size())};
       const Span span = particle.syntax->name.span;
       for (const std::string_view prefix : {"", "v", "a"}) {
         motion_columns_.insert(column(particle, prefix, axis));
       }
+      place.position.push_back(CoordinateId{static_cast<std::uint32_t>(system_.coordinates.size())});
       system_.coordinates.push_back({column(particle, "", axis), speed, {}, span});
       system_.speeds.push_back({column(particle, "v", axis), column(particle, "a", axis), {}, {}, span});
     }

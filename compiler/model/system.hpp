@@ -59,6 +59,11 @@ struct Speed {
   Span span;
 };
 
+/// What moves and can be seen: three coordinates in space, two in the plane, one on a line.
+struct Place {
+  std::vector<CoordinateId> position;
+};
+
 /// One additive contribution to the applied force along one speed.
 struct Force {
   std::string name;  ///< for messages and summaries: "force on particle 1, x"
@@ -107,6 +112,7 @@ struct System {
   std::vector<Expression> expressions;
   std::vector<Coordinate> coordinates;
   std::vector<Speed> speeds;
+  std::vector<Place> places;
   std::vector<Parameter> parameters;
   std::vector<Force> forces;
   std::vector<Constraint> constraints;
