@@ -70,7 +70,7 @@ Figure& figure_called(std::vector<Figure>& figures, const std::string& title, Me
       return figure;
     }
   }
-  Figure& figure = figures.emplace_back(Figure{title, {}});
+  Figure& figure = figures.emplace_back(Figure{title, {}, {}, {}});
   for (const char* const label : labels) {
     figure.panels.push_back({label, measure, {}});
   }
@@ -97,7 +97,8 @@ void append_singles(std::vector<Figure>& figures, const std::vector<Panel>& sing
     const std::size_t last = std::min(first + levels, singles.size());
     const bool has_energy = is_energy(singles[first]);
     const std::string title = !has_energy ? "outputs" : last == first + 1 ? "energy" : "energy and outputs";
-    figures.push_back({title, {singles.begin() + static_cast<long>(first), singles.begin() + static_cast<long>(last)}});
+    figures.push_back(
+        {title, {singles.begin() + static_cast<long>(first), singles.begin() + static_cast<long>(last)}, {}, {}});
   }
 }
 
@@ -115,6 +116,9 @@ std::vector<Figure> figures_of(std::span<const std::string> columns) {
       Figure& figure =
           figure_called(figures, component->figure, Measure::Value, {"coordinates", "velocities", "accelerations"});
       figure.panels[component->level].curves.push_back({column, {column}});
+      if (component->level != Acceleration) {
+        (component->level == Position ? figure.position : figure.velocity).push_back(column);
+      }
     } else if (column == energy_column) {
       singles.insert(singles.begin(), {"energy drift", Measure::Change, {{column, {column}}}});
     } else {

@@ -32,6 +32,8 @@ struct Panel {
 struct Figure {
   std::string title;  ///< "particle 1", "bob", "constraint errors"
   std::vector<Panel> panels;
+  std::vector<std::string> position;  ///< of a particle: the columns of its coordinates
+  std::vector<std::string> velocity;  ///< and of their rates
 };
 
 /// A figure of coordinates, velocities and accelerations for each particle; the constraint errors at these three
