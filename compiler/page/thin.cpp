@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace mbcc::page {
@@ -14,8 +15,8 @@ using Columns = std::vector<std::vector<double>>;
 std::vector<double> weights(const Columns& columns) {
   std::vector<double> result;
   for (const std::vector<double>& column : columns) {
-    double low = INFINITY;
-    double high = -INFINITY;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
     for (const double value : column) {
       if (std::isfinite(value)) {
         low = std::min(low, value);
