@@ -30,6 +30,9 @@ int check_command(const ModelArguments& arguments);
 /// Compares an emitted file with what this mbcc emits for the model.
 int verify_command(const ModelArguments& arguments, const std::string& emitted);
 
+/// Asks for a model: for a new one, or starting from `model`. It goes to `output`, or NAME.mbd beside `model`.
+int dialog_command(const std::string& model, const std::string& output, bool force);
+
 /// Prints one representation of the model.
 int dump_command(const ModelArguments& arguments, const std::string& stage, bool partials);
 

@@ -20,7 +20,8 @@ constexpr std::string_view overview = R"(mbcc: a compiler for mechanics
   mbcc check MODEL.mbd                 diagnostics, then the structure of the model
   mbcc verify MODEL.mbd SIM.cpp        is SIM.cpp what this mbcc emits for the model?
   mbcc dump MODEL.mbd --stage=STAGE    tokens, syntax, system, equations, derivatives [--partials] or program
-  mbcc help TOPIC                      language, functions, run, exit
+  mbcc dialog [MODEL.mbd] [-o OUT.mbd] ask for a model, question by question, as plain mbcc does (mbcc help dialog)
+  mbcc help TOPIC                      language, functions, run, dialog, exit
   mbcc --version
 
 With every command: --strict (forces and constraints in the paper's grammar), --werror, --diagnostics=json.
@@ -72,6 +73,27 @@ Of mbcc itself, for the build (kept by content in the user's cache): --cxxflags=
 environment. Without a C++ compiler the model is interpreted.
 )";
 
+constexpr std::string_view dialog = R"(Asking for a model: mbcc dialog [MODEL.mbd] [-o OUT.mbd] [--force]
+
+  A  name                              a letter, then letters and digits; the first 7 count
+  B  dimension                         1, 2 or 3
+  C  number of particles
+  D  number of constraint equations    0 for none
+  E  masses                            m1, m2, ...
+  F  components of forces              fx1, fy1, ...; expressions of t, x1, vx1, ...
+  G  constraint equations              g1, g2, ...; x1^2 + y1^2 = 1, or what is to be zero
+  H  coordinates and velocities        at the start; numbers such as 2 or sqrt(2)/2
+  I  step, initial and final time
+
+ENTER takes what stands in the line, `?` explains the question, `back` returns to the dialog before. After A, E, F and G
+Y or ENTER goes on, anything else asks that dialog again with its answers in the lines. A wrong answer is explained and
+asked for again. A start off the constraints is reported, and the nearest one on them offered.
+
+The model goes to NAME.mbd, the program to cNAME.cpp. A dialog that is left is kept in NAME.mbd.draft; the next one of
+that name goes on with it. From MODEL.mbd the dialog changes what is answered otherwise, and leaves all else as it is.
+Answers may come from a script, one a line; it must say --force to replace files.
+)";
+
 constexpr std::string_view exit_codes = R"(Exit codes
 
    0  fine, warnings included
@@ -105,8 +127,10 @@ struct Topic {
   std::string (*text)();
 };
 constexpr std::array topics = {Topic{"", [] { return std::string(overview); }},
-                               Topic{"language", [] { return std::string(language); }}, Topic{"functions", functions},
+                               Topic{"language", [] { return std::string(language); }},
+                               Topic{"functions", functions},
                                Topic{"run", [] { return std::string(run); }},
+                               Topic{"dialog", [] { return std::string(dialog); }},
                                Topic{"exit", [] { return std::string(exit_codes); }}};
 
 }  // namespace

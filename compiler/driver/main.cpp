@@ -1,6 +1,7 @@
 // The command line of mbcc: docs/cli in `mbcc --help`.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -17,7 +18,7 @@ namespace {
 using namespace mbcc;
 
 /// Commands of the contract that this version does not have yet: refused by name, never silently replaced.
-constexpr std::array<std::string_view, 5> later_commands = {"dialog", "plot", "equilibrium", "linearize", "sweep"};
+constexpr std::array<std::string_view, 4> later_commands = {"plot", "equilibrium", "linearize", "sweep"};
 
 void add_model_arguments(CLI::App& app, ModelArguments& arguments) {
   app.add_flag("--strict", arguments.strict, "hold forces and constraints to the paper's grammar");
@@ -121,6 +122,23 @@ int dump_main(const std::vector<std::string>& words) {
   return code ? *code : dump_command(arguments, stage, partials);
 }
 
+int dialog_main(const std::vector<std::string>& words) {
+  CLI::App app{"mbcc dialog [MODEL.mbd]: ask for a model, question by question (mbcc help dialog)"};
+  std::string model;
+  std::string output;
+  bool force = false;
+  app.add_option("MODEL", model, "model file to start from");
+  app.add_option("-o", output, "model file to write");
+  app.add_flag("--force", force, "replace files without asking");
+  if (const auto code = parse(app, words)) {
+    return *code;
+  }
+  if (model == "-" || output == "-") {
+    return refuse("a dialog reads answers and prints questions: name files for its models");
+  }
+  return dialog_command(model, output, force);
+}
+
 int help_main(const std::vector<std::string>& words) {
   const auto text = help_text(words.empty() ? "" : words.front());
   if (!text) {
@@ -136,13 +154,16 @@ struct Command {
 };
 constexpr std::array commands = {Command{"run", run_main},       Command{"check", check_main},
                                  Command{"verify", verify_main}, Command{"dump", dump_main},
-                                 Command{"help", help_main},     Command{"--help", help_main},
-                                 Command{"-h", help_main}};
+                                 Command{"dialog", dialog_main}, Command{"help", help_main},
+                                 Command{"--help", help_main},   Command{"-h", help_main}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() && isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0) {
+    return dialog_main(words);
+  }
   if (words.empty()) {
     return refuse(
         "which model? `mbcc MODEL.mbd -o SIM.cpp` compiles one, `mbcc run MODEL.mbd` runs it; see `mbcc --help`");

@@ -33,15 +33,18 @@ TEST_CASE("wrong usage is exit code 2 and one line that says what would be right
   CHECK(refusal({"dump", model, "--stage=syntax", "--partials"}) ==
         "mbcc: error: `--partials` goes with `--stage=derivatives`\n");
   CHECK(refusal({"help", "nothing"}) ==
-        "mbcc: error: there is no help on `nothing`: topics are `language`, `functions`, `run`, `exit`\n");
+        "mbcc: error: there is no help on `nothing`: topics are `language`, `functions`, `run`, `dialog`, `exit`\n");
   CHECK(refusal({model, "-o", shop.path("no/such/folder.cpp")}) ==
         "mbcc: error: cannot write `" + shop.path("no/such/folder.cpp") + "`\n");
+  CHECK(refusal({"dialog", "-"}) ==
+        "mbcc: error: a dialog reads answers and prints questions: name files for its models\n");
+  CHECK(refusal({"dialog", none}) == "mbcc: error: cannot read `" + none + "`\n");
   CHECK(refusal({"verify", model, none}) == "mbcc: error: cannot read `" + none + "`\n");
   CHECK(refusal({"check", shop.path("")}) == "mbcc: error: cannot read `" + shop.path("") + "`\n");
 }
 
 TEST_CASE("commands of later versions are refused by name") {
-  for (const std::string command : {"dialog", "plot", "equilibrium", "linearize", "sweep"}) {
+  for (const std::string command : {"plot", "equilibrium", "linearize", "sweep"}) {
     const Outcome outcome = run_mbcc({command});
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.errors == "mbcc: error: `mbcc " + command + "` is not available in this version of mbcc\n");
@@ -54,6 +57,7 @@ TEST_CASE("help and version are no mistakes") {
                                                                                          {"-h"},
                                                                                          {"help", "language"},
                                                                                          {"help", "run"},
+                                                                                         {"help", "dialog"},
                                                                                          {"help", "functions"},
                                                                                          {"help", "exit"},
                                                                                          {"check", "--help"}}) {

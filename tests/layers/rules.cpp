@@ -10,8 +10,8 @@
 namespace mbcc::layers {
 namespace {
 
-constexpr std::array<std::string_view, 11> order = {"source",  "diagnostics", "graph",  "syntax", "model", "mechanics",
-                                                    "program", "emit",        "figure", "page",   "driver"};
+constexpr std::array<std::string_view, 12> order = {"source",  "diagnostics", "graph",  "syntax", "model", "mechanics",
+                                                    "program", "emit",        "dialog", "figure", "page",  "driver"};
 
 std::optional<std::size_t> layer_of(std::string_view path) {
   const auto found = std::find(order.begin(), order.end(), path.substr(0, path.find('/')));
