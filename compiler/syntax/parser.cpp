@@ -115,12 +115,9 @@ BOOST_SPIRIT_DEFINE(expression, term, factor, power, exponent, operand, number, 
 
 // -- statements --
 
-struct whole_statement_id : Recovering {};
-struct field_id : Recovering {};
-
 const x3::rule<class model_id, ast::ModelFile> model("a model");
 const x3::rule<class statements_id, std::vector<ast::Statement>> statements("a statement");
-const x3::rule<struct whole_statement_id, ast::Statement> whole_statement("a statement");
+const x3::rule<class whole_statement_id, ast::Statement> whole_statement("a statement");
 const x3::rule<class statement_id, ast::StatementNode> statement(expected::statement.data());
 const x3::rule<class system_id, ast::System> system("a statement");
 const x3::rule<class dimension_id, ast::Dimension> dimension("a statement");
@@ -140,14 +137,14 @@ const x3::rule<class for_loop_id, ast::For> for_loop("a statement");
 const x3::rule<class unsupported_id, ast::Unsupported> unsupported("a statement");
 const x3::rule<class group_id> group("`{`");
 const x3::rule<class block_id, std::vector<ast::Field>> block("`{`");
-const x3::rule<struct field_id, ast::Field> field("a field");
+const x3::rule<class field_id, ast::Field> field("a field");
 const x3::rule<class declared_id, ast::Declarator> declared(expected::name.data());
 
 const auto model_def = statements[append_statements] >>
                        *(token(TokenKind::BraceRight)[unmatched_brace] >> statements[append_statements]) >>
                        token(TokenKind::EndOfFile);
 const auto statements_def = -whole_statement[append_finished] >> *(separator >> -whole_statement[append_finished]);
-const auto whole_statement_def = placed(!end >> x3::expect[statement][into(&ast::Statement::node)]);
+const auto whole_statement_def = recovering(placed(!end >> x3::expect[statement][into(&ast::Statement::node)]));
 const auto statement_def = system[take] | dimension[take] | particle[take] | constraint[take] | let[take] |
                            constant[take] | parameter[take] | output[take] | force_on[take] | gravity[take] |
                            import_file[take] | integrate[take] | for_loop[take] | unsupported[take];
@@ -186,8 +183,8 @@ const auto group_def = brace_left > nested(*(anything | separator | group)) > to
 const auto block_def = brace_left > (-field[append_finished] >> *(separator >> -field[append_finished])) >
                        token(TokenKind::BraceRight, expected::field_or_end);
 const auto field_def =
-    (!end_of_fields >> x3::expect[field_name][text_into(&ast::Field::name, &ast::Field::name_span)]) > equals >
-    expression[into(&ast::Field::value)] > end_of_value;
+    recovering((!end_of_fields >> x3::expect[field_name][text_into(&ast::Field::name, &ast::Field::name_span)]) >
+               equals > expression[into(&ast::Field::value)] > end_of_value);
 const auto declared_def = placed(name[text_into(&ast::Declarator::name)] >> -indices[into(&ast::Declarator::indices)]);
 
 BOOST_SPIRIT_DEFINE(model, statements, whole_statement, statement, system, dimension, particle, particle_name,

@@ -155,14 +155,29 @@ auto placed(const Subject& subject) {
   return PlacedDirective<typename x3::extension::as_parser<Subject>::value_type>(x3::as_parser(subject));
 }
 
-/// Rules that go on behind what they cannot read.
-struct Recovering {
-  template <class Failure, class Context>
-  x3::error_handler_result on_error(TokenIterator& first, const TokenIterator&, const Failure& failure,
-                                    const Context& context) {
-    first = state(context).errors.report(first, failure.where(), failure.which());
-    return x3::error_handler_result::accept;
+/// Its subject, behind which the parse goes on where it fails. X3's own on_error does not do: some versions of Boost
+/// (1.74) tell it where the subject began, others (1.81) how far it came.
+template <class Subject>
+struct RecoveringDirective : x3::unary_parser<Subject, RecoveringDirective<Subject>> {
+  static constexpr bool is_pass_through_unary = true;
+  using x3::unary_parser<Subject, RecoveringDirective<Subject>>::unary_parser;
+
+  template <class Context, class Tree, class Attribute>
+  bool parse(TokenIterator& first, const TokenIterator& last, const Context& context, Tree& tree,
+             Attribute& attribute) const {
+    const TokenIterator start = first;
+    try {
+      return this->subject.parse(first, last, context, tree, attribute);
+    } catch (const x3::expectation_failure<TokenIterator>& failure) {
+      first = state(context).errors.report(start, failure.where(), failure.which());
+      return true;
+    }
   }
 };
+
+template <class Subject>
+auto recovering(const Subject& subject) {
+  return RecoveringDirective<typename x3::extension::as_parser<Subject>::value_type>(x3::as_parser(subject));
+}
 
 }  // namespace mbcc::grammar
