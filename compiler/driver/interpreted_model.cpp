@@ -47,7 +47,7 @@ InterpretedModel::InterpretedModel(const program::Program& program, const model:
     const std::size_t m = island.constraints.size();
     const std::size_t n = island.speeds.size();
     IslandArrays arrays;
-    for (auto* per_row : {&arrays.scale, &arrays.floor, &arrays.residual}) {
+    for (auto* per_row : {&arrays.scale, &arrays.floor, &arrays.residual, &arrays.position, &arrays.velocity}) {
       per_row->resize(m);
     }
     for (auto* per_speed : {&arrays.free, &arrays.mobility, &arrays.added}) {
@@ -207,7 +207,7 @@ mbrt::Island InterpretedModel::island(int island) {
   return {arrays.scale,
           arrays.floor,
           arrays.scratch,
-          {arrays.matrix, arrays.residual, arrays.free, arrays.mobility},
+          {arrays.matrix, arrays.residual, arrays.free, arrays.mobility, arrays.position, arrays.velocity},
           &arrays.record};
 }
 
@@ -225,6 +225,12 @@ void InterpretedModel::island_rows(int island, const State& y) {
         break;
       case Target::Free:
         rows.free[store.index] = value;
+        break;
+      case Target::RowPosition:
+        rows.position[store.index] = value;
+        break;
+      case Target::RowVelocity:
+        rows.velocity[store.index] = value;
         break;
       default:
         MBCC_ASSERT(store.target == Target::Mobility);

@@ -37,7 +37,7 @@ class InterpretedModel {
 
  private:
   struct IslandArrays {
-    std::vector<double> scale, floor, scratch, matrix, residual, free, mobility, added;
+    std::vector<double> scale, floor, scratch, matrix, residual, free, mobility, position, velocity, added;
     mbrt::IslandRecord record;
   };
   struct Leaf {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <mbrt/dop853.hpp>
 #include <mbrt/simulation.hpp>
 
 #include "driver/build.hpp"
@@ -42,7 +43,7 @@ int run_command(const ModelArguments& arguments, const std::string& cxx_flags, c
   if (!compiler) {
     fmt::print(stderr, "mbcc: note: no C++ compiler found (`CXX`, `c++`): the interpreter runs the model\n");
     InterpretedModel model(*compilation->program, system, compilation->sources);
-    return mbrt::simulate(model, static_cast<int>(words.size()), argv.data());
+    return mbrt::simulate<mbrt::Dop853>(model, static_cast<int>(words.size()), argv.data());
   }
   const std::string text = emit(*compilation->program, system, compilation->sources, {false, arguments.strict});
   const BuildResult built = build_program(text, *compiler, split_words(cxx_flags));

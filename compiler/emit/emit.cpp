@@ -29,6 +29,18 @@ std::string options_text(const EmitOptions& options) {
   return std::string(options.library ? " --library" : "") + (options.strict ? " --strict" : "");
 }
 
+/// A method of the runtime: its header and its name there.
+struct MethodCode {
+  const char* header;
+  const char* type;
+};
+
+/// The one that a run takes unless it is told otherwise; it is compiled with the model. The others are in the library.
+MethodCode method_of(const model::Integration& integration) {
+  const bool is_rk4 = integration.method ? *integration.method == "rk4" : integration.step.has_value();
+  return is_rk4 ? MethodCode{"rk4", "Rk4"} : MethodCode{"dop853", "Dop853"};
+}
+
 }  // namespace
 
 std::string generated_file_name(std::string_view model_file, const EmitOptions& options) {
@@ -57,7 +69,10 @@ std::string emit(const program::Program& program, const model::System& system, c
                 {"options", options_text(options)},
                 {"model_class", model_class}};
   if (!options.library) {
+    const MethodCode method = method_of(system.integration);
     values.emplace("namespace", name_space);
+    values.emplace("method_header", method.header);
+    values.emplace("method", method.type);
   }
   return fill(template_text(options.library ? "model.hpp.in" : "simulation.cpp.in"), values);
 }

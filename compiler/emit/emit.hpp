@@ -13,7 +13,7 @@ namespace mbcc {
 
 /// Version of mbcc, and of the runtime interface (mbrt::interface_version) that emitted code needs.
 inline constexpr std::string_view version = MBCC_VERSION;
-inline constexpr int interface_version = 1;
+inline constexpr int interface_version = 2;
 
 struct EmitOptions {
   bool library = false;  ///< the class alone: no main, no streams

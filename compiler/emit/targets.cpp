@@ -20,6 +20,10 @@ std::string_view array_of(Target target) {
       return "rows.free";
     case Target::Mobility:
       return "rows.mobility";
+    case Target::RowPosition:
+      return "rows.position";
+    case Target::RowVelocity:
+      return "rows.velocity";
     case Target::Position:
       return "position";
     case Target::Velocity:

@@ -25,7 +25,7 @@ std::vector<Wanted> all_of(Target target, const std::vector<Expr>& values, std::
   return wanted;
 }
 
-std::vector<Wanted> rows_of(const Island& island, const Derivatives& derivatives) {
+std::vector<Wanted> rows_of(const Island& island, const model::System& system, const Derivatives& derivatives) {
   std::vector<Wanted> wanted;
   const std::size_t columns = island.speeds.size();
   const auto column_of = [&](std::size_t speed) {
@@ -39,6 +39,10 @@ std::vector<Wanted> rows_of(const Island& island, const Derivatives& derivatives
       wanted.push_back({Target::Matrix, k * columns + column_of(entry.speed), as_solved(row, entry.value), k});
     }
     wanted.push_back({Target::Residual, k, as_solved(row, row.residual), k});
+    if (system.constraints[row.constraint].holonomic) {
+      wanted.push_back({Target::RowPosition, k, as_solved(row, row.value), k});
+    }
+    wanted.push_back({Target::RowVelocity, k, as_solved(row, row.rate), k});
   }
   for (std::size_t j = 0; j < columns; ++j) {
     const std::size_t group = island.rows.size() + j;
@@ -48,9 +52,10 @@ std::vector<Wanted> rows_of(const Island& island, const Derivatives& derivatives
   return wanted;
 }
 
-IslandPlan plan_island(const Island& island, const Derivatives& derivatives, std::size_t coordinates,
+IslandPlan plan_island(const Island& island, const model::System& system, const Derivatives& derivatives,
                        graph::Graph& graph) {
-  IslandPlan plan{eliminate(island, derivatives, graph), {}, rows_of(island, derivatives)};
+  const std::size_t coordinates = system.coordinates.size();
+  IslandPlan plan{eliminate(island, derivatives, graph), {}, rows_of(island, system, derivatives)};
   for (std::size_t j = 0; j < island.speeds.size(); ++j) {
     const std::size_t speed = island.speeds[j];
     plan.accelerations.push_back({Target::Rate, coordinates + speed, plan.elimination.accelerations[j], speed});
@@ -139,7 +144,7 @@ Plan make_plan(const model::System& system, const Equations& equations, const De
   plan.kinematics = all_of(Target::Rate, equations.kinematics);
   std::vector<bool> in_island(system.speeds.size());
   for (const Island& island : derivatives.islands) {
-    plan.islands.push_back(plan_island(island, derivatives, coordinates, graph));
+    plan.islands.push_back(plan_island(island, system, derivatives, graph));
     name_solve(plan, plan.islands.back(), island, system, derivatives);
     for (const std::size_t speed : island.speeds) {
       in_island[speed] = true;

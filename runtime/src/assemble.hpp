@@ -15,8 +15,7 @@ namespace mbrt {
 /// M^-1 A^T (A M^-1 A^T)^+ (-h), the shortest one by mass (Gauss-Newton). Repeated, it reaches the constraints, but not
 /// quite at the point nearest to where it began. That point is where the displacement d from the beginning has no part
 /// along the constraints: d = M^-1 A^T (A M^-1 A^T)^+ (A d - h), with A and h at the moved state, which is solved by
-/// iteration. The row solves are those of the rank ladder (mbrt/island.hpp), whose cut-off is raised to the relative
-/// distance from the constraints: off them, redundant rows are independent by about that much.
+/// iteration.
 void assemble(AnyModel& model, const std::vector<Island>& islands, const std::vector<bool>& held,
               std::vector<double>& state);
 

@@ -36,9 +36,20 @@ double size_of_terms(const IslandRows& rows, std::size_t row, std::span<const in
   return sum + std::abs(right_side);
 }
 
+/// |A_k (u' - a) - r_k| of one row.
+double residual_of(const IslandRows& rows, std::size_t row, std::span<const int> speeds,
+                   std::span<const double> acceleration) {
+  const std::size_t columns = rows.mobility.size();
+  double sum = -rows.residual[row];
+  for (std::size_t j = 0; j < columns; ++j) {
+    sum += rows.matrix[row * columns + j] * (acceleration[static_cast<std::size_t>(speeds[j])] - rows.free[j]);
+  }
+  return std::abs(sum);
+}
+
 /// |A_k u' - b_k| of each row of an island in parts of its terms.
 std::vector<double> relative_residuals(AnyModel& model, const Island& island, int k, std::span<const double> state,
-                                       std::span<const double> rate, std::span<const double> residuals) {
+                                       std::span<const double> rate) {
   const Description& description = model.description();
   const IslandEntry& entry = description.islands[static_cast<std::size_t>(k)];
   const Extents size = extents(description, state);
@@ -46,20 +57,19 @@ std::vector<double> relative_residuals(AnyModel& model, const Island& island, in
   model.island_rows(k, state);
   std::vector<double> result;
   for (std::size_t row = 0; row < entry.constraints.size(); ++row) {
-    const double residual = std::abs(residuals[static_cast<std::size_t>(entry.constraints[row])]);
+    const double residual = residual_of(island.rows, row, entry.speeds, acceleration);
     result.push_back(residual == 0 ? 0 : residual / size_of_terms(island.rows, row, entry.speeds, acceleration, size));
   }
   return result;
 }
 
-/// The size of the smallest displacement that the rows of an island turn into `errors`, as far as they can.
+/// The size of the smallest displacement that the rows of an island turn into one kind of their errors, as far as they
+/// can.
 double displacement(AnyModel& model, const Island& island, int k, std::span<const double> state,
-                    std::span<const double> errors) {
+                    std::span<double> IslandRows::*errors) {
   model.island_rows(k, state);
-  std::size_t row = 0;
-  for (const int constraint : model.description().islands[static_cast<std::size_t>(k)].constraints) {
-    island.rows.residual[row++] = errors[static_cast<std::size_t>(constraint)];
-  }
+  const std::span<const double> off = island.rows.*errors;
+  std::copy(off.begin(), off.end(), island.rows.residual.begin());
   std::vector<double> displaced(island.rows.mobility.size());
   climb(island, displaced);
   double largest = 0;
@@ -103,25 +113,25 @@ std::string explain_not_finite(AnyModel& model, const std::vector<Island>& islan
 }
 
 std::string find_contradiction(AnyModel& model, const Island& island, int k, double time, std::span<const double> state,
-                               std::span<const double> rate, const ConstraintErrors& errors) {
+                               std::span<const double> rate, std::span<const double> residuals) {
   constexpr double rounding = 1e-6;
   constexpr double degree = 10;
-  const std::vector<double> residuals = relative_residuals(model, island, k, state, rate, errors.acceleration);
-  if (*std::max_element(residuals.begin(), residuals.end()) <= rounding) {
+  const std::vector<double> relative = relative_residuals(model, island, k, state, rate);
+  if (*std::max_element(relative.begin(), relative.end()) <= rounding) {
     return {};
   }
   const Description& description = model.description();
   const Extents size = extents(description, state);
-  const double drift = std::max(displacement(model, island, k, state, errors.position) / size.coordinates,
-                                displacement(model, island, k, state, errors.velocity) / size.speeds);
+  const double drift = std::max(displacement(model, island, k, state, &IslandRows::position) / size.coordinates,
+                                displacement(model, island, k, state, &IslandRows::velocity) / size.speeds);
   std::string names, place;
-  for (std::size_t row = 0; row < residuals.size(); ++row) {
-    if (residuals[row] > std::max(rounding, degree * drift)) {
+  for (std::size_t row = 0; row < relative.size(); ++row) {
+    if (relative[row] > std::max(rounding, degree * drift)) {
       const auto index = static_cast<std::size_t>(description.islands[static_cast<std::size_t>(k)].constraints[row]);
       const ConstraintEntry& constraint = description.constraints[index];
       place = place.empty() ? constraint.place : place;
       names += fmt::format("{}`{}` ({}, residual {:.3g})", names.empty() ? "" : ", ", constraint.name, constraint.place,
-                           errors.acceleration[index]);
+                           residuals[index]);
     }
   }
   return names.empty()

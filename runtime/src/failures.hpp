@@ -13,14 +13,9 @@ namespace mbrt {
 std::string explain_not_finite(AnyModel& model, const std::vector<Island>& islands, double time,
                                std::span<const double> state);
 
-/// Errors of all constraints at one state.
-struct ConstraintErrors {
-  std::span<const double> position;
-  std::span<const double> velocity;
-  std::span<const double> acceleration;
-};
-
 /// Names the constraints of island `k` that no acceleration satisfies together at `state`; empty if there are none.
+/// `residuals` are those of all constraints, as the message shows them.
+///
 /// Meant for islands whose rank is deficient there: rows of full rank cannot contradict each other.
 ///
 /// Leaves its traces in the island's record.
@@ -34,6 +29,6 @@ struct ConstraintErrors {
 /// are just the ones that no displacement explains. Residuals up to 1e-6 are what a cut-off of 1e-8 leaves in rows that
 /// it holds for parallel, with a margin.
 std::string find_contradiction(AnyModel& model, const Island& island, int k, double time, std::span<const double> state,
-                               std::span<const double> rate, const ConstraintErrors& errors);
+                               std::span<const double> rate, std::span<const double> residuals);
 
 }  // namespace mbrt

@@ -5,6 +5,7 @@
 
 #include "failures.hpp"
 #include "mbrt/math.hpp"
+#include "methods.hpp"
 #include "records.hpp"
 
 namespace mbrt {
@@ -41,14 +42,25 @@ std::string Monitor::observe(double time, std::span<const double> state, std::sp
   return watch_rank(time, state, rate);
 }
 
-/// A stage that is not finite spoils the whole state after its step: the cause shows at the stage alone.
 std::string Monitor::explain_failure(double time, std::span<const double> state) {
-  const Untraced untraced(islands_);
   if (all_finite(state) || !started_) {
+    const Untraced untraced(islands_);
     return explain_not_finite(model_, islands_, time, state);
   }
-  const double stage_time = model_.find_failing_stage(last_time_, time - last_time_, last_state_);
-  return explain_not_finite(model_, islands_, std::isnan(stage_time) ? time : stage_time, last_state_);
+  return explain_step(time - last_time_);
+}
+
+/// A stage that is not finite spoils the whole state after its step: the cause shows at the stage alone. Longer steps
+/// are tried where the methods' stages differ.
+std::string Monitor::explain_step(double step) {
+  constexpr int most_steps = 16;
+  constexpr double longer = 8;
+  const Untraced untraced(islands_);
+  double stage_time = not_given;
+  for (int i = 0; i < most_steps && std::isnan(stage_time); ++i, step *= longer) {
+    stage_time = find_failing_stage(model_, last_time_, step, last_state_);
+  }
+  return explain_not_finite(model_, islands_, std::isnan(stage_time) ? last_time_ : stage_time, last_state_);
 }
 
 void Monitor::watch_constraints(std::span<const double> state, std::span<const double> rate) {
@@ -84,8 +96,8 @@ std::string Monitor::watch_rank(double time, std::span<const double> state, std:
     }
     if (rank < static_cast<int>(islands_[k].scale.size())) {
       const Untraced untraced(islands_);
-      std::string contradiction = find_contradiction(model_, islands_[k], static_cast<int>(k), time, state, rate,
-                                                     {position_, velocity_, acceleration_});
+      std::string contradiction =
+          find_contradiction(model_, islands_[k], static_cast<int>(k), time, state, rate, acceleration_);
       if (!contradiction.empty()) {
         return contradiction;
       }

@@ -44,6 +44,9 @@ class Monitor {
   /// After it. Returns why the run cannot go on, or nothing.
   std::string observe(double time, std::span<const double> state, std::span<const double> rate);
 
+  /// Why the rates are not finite of a step from the last accepted state.
+  std::string explain_step(double step);
+
   const Findings& findings() const { return findings_; }
 
  private:

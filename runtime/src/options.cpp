@@ -8,6 +8,9 @@
 #include <optional>
 #include <string_view>
 
+#include "mbrt/dop853.hpp"
+#include "mbrt/rk4.hpp"
+#include "methods.hpp"
 #include "spelling.hpp"
 
 namespace mbrt {
@@ -26,12 +29,14 @@ std::string guess_at(std::string_view name, std::span<const std::string_view> ca
 /// The line as typed, before it is checked against the model.
 struct Typed {
   Options options;
-  std::string method;
-  double tolerance = not_given;
+  std::string method = "";       // empty: neither the model nor the line names one
+  double step = not_given;       // on the line
+  double tolerance = not_given;  // likewise
   std::vector<std::string> set;
   std::vector<std::string> initial;
   std::vector<std::string> fix;
-  std::string project = "off";
+  std::string project = "";  // empty: as is right for the method
+  std::string stabilize = "";
 };
 
 double finite(std::string_view text, std::string_view flag) {
@@ -106,6 +111,23 @@ std::string or_default(const char* text, double value) {
   return std::isnan(value) ? std::string(text) : fmt::format("{} [{}]", text, value);
 }
 
+/// "`rk4`, `dop853`".
+std::string names_of_methods() {
+  std::string names;
+  for (const MethodEntry& method : methods()) {
+    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", method.name);
+  }
+  return names;
+}
+
+std::string method_help() {
+  std::string text;
+  for (const MethodEntry& method : methods()) {
+    text += fmt::format("{}: {}; ", method.name, method.description);
+  }
+  return text + "auto: rk4 where the model gives a step and no method, else one of the others by tolerance";
+}
+
 void add_flags(CLI::App& app, const Description& model, Typed& typed) {
   const Defaults& defaults = model.defaults;
   Options& options = typed.options;
@@ -114,25 +136,25 @@ void add_flags(CLI::App& app, const Description& model, Typed& typed) {
            flag, [&target, flag, check](const std::string& text) { target = check(text, flag); }, help)
         ->type_name("NUMBER");
   };
-  const auto refused = [&app](const char* flag, const char* type, const std::string& help) {
-    const auto refuse = [flag](const CLI::results_t&) -> bool {
-      throw UsageError{fmt::format("`{}` is not part of this version of mbcc", flag)};
-    };
-    app.add_option(flag, refuse, help + " (refused)")->type_name(type)->expected(0, -1);
-  };
   number("--from", or_default("start time", options.from), options.from, finite);
   number("--to", or_default("end time", defaults.to), options.to, finite);
-  number("--step", or_default("step of rk4", defaults.step), options.step, finite);
-  app.add_option("--method", typed.method, "rk4: classical Runge-Kutta, constant step")->type_name("NAME");
-  number("--tolerance", "error per step, for methods that choose their step", typed.tolerance, positive);
+  number("--step", or_default("step of rk4", defaults.step), typed.step, finite);
+  app.add_option("--method", typed.method, method_help())->type_name("NAME");
+  number("--tolerance",
+         fmt::format("error per step, relative to the state and its size at the start, of methods that choose their "
+                     "step [{}]",
+                     options.tolerance),
+         typed.tolerance, positive);
   app.add_option("--set", typed.set, "value of a parameter, any number of times")->type_name("NAME=VALUE");
   app.add_option("--initial", typed.initial, "value of a coordinate or speed at the start")->type_name("NAME=VALUE");
   app.add_flag("--assemble", options.assemble, "move the start to the nearest consistent one");
   app.add_option("--fix", typed.fix, "hold a coordinate or speed while assembling, any number of times")
       ->type_name("NAME");
-  app.add_option("--project", typed.project, "project onto the constraints after a step; only `off` is accepted")
+  app.add_option("--project", typed.project, "move each step's end onto the constraints [on, with rk4 off]")
       ->type_name("on|off");
-  refused("--stabilize", "B1,B2,B3", "Baumgarte stabilization");
+  app.add_option("--stabilize", typed.stabilize,
+                 "Baumgarte stabilization, h'' + 2 B1 B2 h' + B2^2 h = 0 and g' + B3 g = 0")
+      ->type_name("B1,B2,B3");
   number("--cutoff", fmt::format("relative size below which singular values count as zero [{}]", default_cutoff),
          options.cutoff, positive);
   app.add_option("--csv", options.csv, "record the motion in this file; `-` is standard output")->type_name("FILE");
@@ -160,31 +182,72 @@ void refuse_unknown(const CLI::App& app) {
   throw UsageError{fmt::format("there is no flag `{}`{}", unknown.front(), guess_at(unknown.front(), candidates))};
 }
 
-void check_method(const Typed& typed) {
-  if (typed.method != "rk4") {
-    throw UsageError{fmt::format("the method `{}` is not part of this version of mbcc, which has `rk4`", typed.method)};
+/// The method to use, where none is named or `auto`.
+const char* choose_method(const Typed& typed) {
+  const bool has_step = !std::isnan(typed.options.step);
+  return typed.method.empty() && has_step ? Rk4::name : Dop853::name;
+}
+
+void set_method(Typed& typed) {
+  Options& options = typed.options;
+  options.step = std::isnan(typed.step) ? options.step : typed.step;
+  options.tolerance = std::isnan(typed.tolerance) ? options.tolerance : typed.tolerance;
+  const bool is_auto = typed.method.empty() || typed.method == "auto";
+  options.method = is_auto ? choose_method(typed) : typed.method;
+  const MethodEntry* const method = find_method(options.method);
+  if (method == nullptr) {
+    throw UsageError{fmt::format("the method `{}` is not part of this version of mbcc, which has {} and `auto`",
+                                 typed.method, names_of_methods())};
   }
-  if (typed.project != "off") {
-    throw UsageError{typed.project == "on" ? "`--project on` is not part of this version of mbcc"
-                                           : fmt::format("`--project {}` is neither `on` nor `off`", typed.project)};
+  options.chosen_by_auto = is_auto && method->chooses_step;
+  if (options.tolerance < std::numeric_limits<double>::epsilon()) {
+    throw UsageError{fmt::format("the tolerance {} is below {:.2g}, the rounding of numbers", options.tolerance,
+                                 std::numeric_limits<double>::epsilon())};
   }
-  if (!std::isnan(typed.tolerance)) {
-    fmt::print(stderr, "warning: `--tolerance` has no effect on `rk4`, whose step is constant\n");
+  if (!method->chooses_step && !std::isnan(typed.tolerance)) {
+    fmt::print(stderr, "warning: `--tolerance` has no effect on `{}`, whose step is constant\n", options.method);
   }
+  if (method->chooses_step && !std::isnan(typed.step)) {
+    fmt::print(stderr, "warning: `--step` has no effect on `{}`, which chooses its steps\n", options.method);
+  }
+  if (typed.project != "" && typed.project != "on" && typed.project != "off") {
+    throw UsageError{fmt::format("`--project {}` is neither `on` nor `off`", typed.project)};
+  }
+  options.project = typed.project.empty() ? method->chooses_step : typed.project == "on";
+}
+
+std::optional<Stabilization> stabilization(const std::string& text) {
+  if (text.empty()) {
+    return std::nullopt;
+  }
+  std::vector<double> constants;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    constants.push_back(positive(std::string_view(text).substr(begin, end - begin), "--stabilize"));
+    begin = end + 1;
+  }
+  if (constants.size() != 3) {
+    throw UsageError{fmt::format("`--stabilize {}` is not of the form B1,B2,B3", text)};
+  }
+  return Stabilization{constants[0], constants[1], constants[2]};
 }
 
 void check_times(const Options& options) {
   if (std::isnan(options.to)) {
     throw UsageError{"neither the model nor `--to` says when to stop"};
   }
+  if (options.to < options.from) {
+    throw UsageError{fmt::format("the end time {} is before the start time {}", options.to, options.from)};
+  }
+}
+
+/// Of a method whose step is constant.
+void check_step(const Options& options) {
   if (std::isnan(options.step)) {
-    throw UsageError{"neither the model nor `--step` gives the step of `rk4`"};
+    throw UsageError{fmt::format("neither the model nor `--step` gives the step of `{}`", options.method)};
   }
   if (options.step <= 0) {
     throw UsageError{fmt::format("the step {} is not positive", options.step)};
-  }
-  if (options.to < options.from) {
-    throw UsageError{fmt::format("the end time {} is before the start time {}", options.to, options.from)};
   }
   const double steps = (options.to - options.from) / options.step;
   // Beyond, from + i step no longer tells neighbouring times apart.
@@ -225,8 +288,12 @@ Options checked(const Description& model, Typed typed) {
   }
   std::vector<std::string_view> state(model.coordinates.begin(), model.coordinates.end());
   state.insert(state.end(), model.speeds.begin(), model.speeds.end());
-  check_method(typed);
+  set_method(typed);
   check_times(typed.options);
+  if (!find_method(typed.options.method)->chooses_step) {
+    check_step(typed.options);
+  }
+  typed.options.stabilization = stabilization(typed.stabilize);
   check_files(typed.options);
   typed.options.parameters = assignments(typed.set, "--set", "parameter", parameters);
   typed.options.initial = assignments(typed.initial, "--initial", "coordinate or speed", state);
@@ -241,7 +308,8 @@ Typed defaults_of(const Description& model) {
   typed.options.to = defaults.to;
   typed.options.step = defaults.step;
   typed.options.every = defaults.every;
-  typed.method = defaults.method != nullptr ? defaults.method : "rk4";
+  typed.options.tolerance = std::isnan(defaults.tolerance) ? default_tolerance : defaults.tolerance;
+  typed.method = defaults.method != nullptr ? defaults.method : "";
   return typed;
 }
 

@@ -2,6 +2,7 @@
 // The command line of an emitted program.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,11 +19,24 @@ struct Assignment {
   double value;
 };
 
-/// What a run is asked to do; valid: times are finite, `step` > 0, `to` >= `from`.
+/// Baumgarte's constants; 1, 1, 1 are those of R. M. M. Orsino's thesis.
+struct Stabilization {
+  double b1, b2, b3;
+};
+
+inline constexpr double default_tolerance = 1e-9;
+
+/// What a run is asked to do; valid: times are finite, `to` >= `from`, `method` is one of `methods()`, `step` > 0 where
+/// that has a constant one.
 struct Options {
   double from = 0;
   double to = not_given;
+  std::string method = "rk4";
+  bool chosen_by_auto = false;
   double step = not_given;
+  double tolerance = default_tolerance;
+  bool project = false;
+  std::optional<Stabilization> stabilization;
   double every = not_given;
   double cutoff = default_cutoff;
   std::vector<Assignment> parameters;

@@ -92,7 +92,7 @@ int run_program(AnyModel& model, int argc, char** argv) {
     outcome.wall_seconds = outcome.monitored ? outcome.wall_seconds : fastest;
   }
   if (summary) {
-    summary->write(summary_json(description, outcome));
+    summary->write(summary_json(description, options, outcome));
     summary->commit();
   }
   if (!options.quiet && options.csv != "-" && options.summary != "-") {

@@ -40,12 +40,13 @@ Recorder::Recorder(AnyModel& model, const Options& options, std::span<const std:
       between_state_(last_state_.size()),
       between_rate_(last_state_.size()) {}
 
-void Recorder::accepted(double time, std::span<const double> state, std::span<const double> rate) {
+void Recorder::accepted(double time, std::span<const double> state, std::span<const double> rate,
+                        const Interpolant* between) {
   if (std::isnan(every_)) {
     write_row(time, state, rate);
     return;
   }
-  write_between(time, state, rate);
+  write_between(time, state, rate, between);
   const double next = from_ + static_cast<double>(rows_) * every_;
   last_written_ = same_time(next, time, from_);
   if (last_written_) {
@@ -58,13 +59,18 @@ void Recorder::accepted(double time, std::span<const double> state, std::span<co
   std::copy(rate.begin(), rate.end(), last_rate_.begin());
 }
 
-void Recorder::write_between(double time, std::span<const double> state, std::span<const double> rate) {
+void Recorder::write_between(double time, std::span<const double> state, std::span<const double> rate,
+                             const Interpolant* between) {
   for (;;) {
     const double next = from_ + static_cast<double>(rows_) * every_;
     if (!(next < time) || same_time(next, time, from_)) {
       return;
     }
-    interpolate(next, time, state, rate);
+    if (between != nullptr) {
+      between->at(next, between_state_);
+    } else {
+      interpolate(next, time, state, rate);
+    }
     model_.set_time(next);
     const Untraced untraced(islands_);
     model_.rates(between_state_, between_rate_);

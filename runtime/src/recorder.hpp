@@ -16,22 +16,23 @@ namespace mbrt {
 std::vector<std::unique_ptr<RowFile>> open_recordings(const Description& model, const Options& options);
 
 /// Writes a row of every column for each accepted state, or with `every` for the states at from + k every and, whether
-/// on that grid or not, the last one. Rows between accepted states take the state from the cubic Hermite interpolant,
-/// and accelerations and outputs from the model at that state.
+/// on that grid or not, the last one. Rows between accepted states take the state from the method's own interpolant,
+/// where it has none from the cubic one of Hermite, and accelerations and outputs from the model at that state.
 class Recorder {
  public:
   /// The files must outlive the recorder.
   Recorder(AnyModel& model, const Options& options, std::span<const std::unique_ptr<RowFile>> files);
 
   /// Each accepted state in turn, the start first. May change the model's time.
-  void accepted(double time, std::span<const double> state, std::span<const double> rate);
+  void accepted(double time, std::span<const double> state, std::span<const double> rate, const Interpolant* between);
 
   /// After the last state.
   void finish();
 
  private:
   void write_row(double time, std::span<const double> state, std::span<const double> rate);
-  void write_between(double time, std::span<const double> state, std::span<const double> rate);
+  void write_between(double time, std::span<const double> state, std::span<const double> rate,
+                     const Interpolant* between);
   void interpolate(double at, double time, std::span<const double> state, std::span<const double> rate);
 
   AnyModel& model_;

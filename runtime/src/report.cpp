@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "durations.hpp"
+#include "methods.hpp"
 
 namespace mbrt {
 namespace {
@@ -60,9 +61,20 @@ class Report {
 
   void headline() {
     const std::string end = outcome_.time == options_.to ? "" : fmt::format(" of {:.9g}", options_.to);
-    text_ = fmt::format("{}: {}, rk4, {} of {} from t = {} to {:.9g}{} in {}{}\n", model_.model, name(outcome_.status),
-                        counted(outcome_.steps, "step"), options_.step, options_.from, outcome_.time, end,
-                        duration(outcome_.wall_seconds), outcome_.monitored ? "" : " unobserved");
+    text_ = fmt::format("{}: {}, {}, {} from t = {} to {:.9g}{} in {}{}\n", model_.model, name(outcome_.status),
+                        options_.method, steps(), options_.from, outcome_.time, end, duration(outcome_.wall_seconds),
+                        outcome_.monitored ? "" : " unobserved");
+  }
+
+  /// "1000 steps of 0.005", "80 steps (3 more rejected) to tolerance 1e-09".
+  std::string steps() const {
+    const std::string accepted = counted(outcome_.steps, "step");
+    if (!find_method(options_.method)->chooses_step) {
+      return fmt::format("{} of {}", accepted, options_.step);
+    }
+    return fmt::format("{}{} to tolerance {}", accepted,
+                       outcome_.rejected == 0 ? "" : fmt::format(" ({} more rejected)", outcome_.rejected),
+                       options_.tolerance);
   }
 
   /// One line each; of many constraints those with the largest errors, in the order of the model.

@@ -1,5 +1,7 @@
 #include "run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -7,6 +9,7 @@
 
 #include "assemble.hpp"
 #include "interrupt.hpp"
+#include "methods.hpp"
 #include "progress.hpp"
 #include "records.hpp"
 #include "start.hpp"
@@ -18,12 +21,17 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+const char* component_name(const Description& model, std::size_t component) {
+  const std::size_t coordinates = model.coordinates.size();
+  return component < coordinates ? model.coordinates[component] : model.speeds[component - coordinates];
+}
+
 /// Shows each accepted state to everyone who wants to see it.
 class Watch final : public Observer {
  public:
   Watch(AnyModel& model, const Options& options, const std::vector<Island>& islands, std::vector<double> start,
         Recorder* recorder)
-      : monitor_(model, islands), recorder_(recorder), time_(options.from), state_(std::move(start)) {
+      : model_(model), monitor_(model, islands), recorder_(recorder), time_(options.from), state_(std::move(start)) {
     if (options.progress) {
       progress_.emplace(options.from, options.to, Progress::From::FirstStep);
     } else if (!options.quiet && options.csv != "-" && Progress::has_watcher()) {
@@ -33,8 +41,8 @@ class Watch final : public Observer {
 
   void arriving() override { monitor_.arriving(); }
 
-  bool accepted(double time, std::span<const double> state, std::span<const double> rate) override {
-    ++arrivals_;
+  bool accepted(double time, std::span<const double> state, std::span<const double> rate,
+                const Interpolant* between) override {
     message_ = monitor_.observe(time, state, rate);
     if (!message_.empty()) {
       return false;
@@ -44,7 +52,7 @@ class Watch final : public Observer {
     state_.assign(state.begin(), state.end());
     if (recorder_ != nullptr) {
       const Clock::time_point begin = Clock::now();
-      recorder_->accepted(time, state, rate);
+      recorder_->accepted(time, state, rate, between);
       recording_ += seconds_since(begin);
     }
     if (progress_) {
@@ -54,14 +62,17 @@ class Watch final : public Observer {
   }
 
   /// What was seen by the end of an integration to `to` that took `seconds` in all.
-  Outcome outcome(double to, double seconds) const {
+  Outcome outcome(const Course& course, const Options& options, double seconds) {
+    explain(course, options);
     Outcome outcome;
     outcome.message = message_;
-    outcome.status = !message_.empty()              ? Status::Failed
-                     : interrupted() && time_ != to ? Status::Interrupted
-                                                    : Status::Ok;
+    outcome.status = !message_.empty()                      ? Status::Failed
+                     : interrupted() && time_ != options.to ? Status::Interrupted
+                                                            : Status::Ok;
     outcome.steps = std::max(0L, accepted_ - 1);
-    outcome.evaluations = 4 * (arrivals_ - 1) + 1;
+    outcome.rejected = course.rejected;
+    outcome.evaluations = course.evaluations;
+    outcome.projections = course.projections;
     outcome.wall_seconds = seconds - recording_;
     outcome.time = time_;
     outcome.state = state_;
@@ -70,11 +81,21 @@ class Watch final : public Observer {
   }
 
  private:
+  /// Failures that come between two accepted states.
+  void explain(const Course& course, const Options& options) {
+    if (course.ending == Ending::NotFinite) {
+      message_ = monitor_.explain_step(course.failed_step);
+    } else if (course.ending == Ending::StepTooSmall) {
+      message_ = fmt::format("error: at t = {:.9g} no step is short enough for `{}` to stay within the tolerance {}",
+                             course.time, component_name(model_.description(), course.component), options.tolerance);
+    }
+  }
+
+  AnyModel& model_;
   Monitor monitor_;
   Recorder* const recorder_;
   std::optional<Progress> progress_;
   std::string message_;
-  long arrivals_ = 0;
   long accepted_ = 0;
   double recording_ = 0;
   double time_;  // of the last accepted state
@@ -93,6 +114,20 @@ std::vector<double> begin_run(AnyModel& model, const std::vector<Island>& island
     take_row_scales(model, islands, options.from, state);
   }
   return state;
+}
+
+/// The scales are those of the start, with its rate: the one evaluation that is not counted.
+Task task_of(AnyModel& model, const std::vector<Island>& islands, const Options& options,
+             const std::vector<double>& start) {
+  const Untraced untraced(islands);
+  std::vector<double> rate(start.size());
+  model.rates(start, rate);
+  return {options.from,
+          options.to,
+          options.step,
+          options.tolerance,
+          scales_of(start, rate, model.description().coordinates.size()),
+          options.project && !islands.empty()};
 }
 
 Outcome inconsistent_start(const Options& options, std::string message, std::vector<double> state) {
@@ -125,9 +160,10 @@ Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
     return inconsistent_start(options, std::move(message), std::move(state));
   }
   Watch watch(model, options, islands, state, recorder);
+  const Task task = task_of(model, islands, options, state);
   const Clock::time_point begin = Clock::now();
-  model.integrate(time_grid(options.from, options.to, options.step), state, watch);
-  Outcome outcome = watch.outcome(options.to, seconds_since(begin));
+  const Course course = integrate(model, islands, options, task, state, &watch);
+  Outcome outcome = watch.outcome(course, options, seconds_since(begin));
   for (const Island& island : islands) {
     outcome.solves.push_back(*island.record);
   }
@@ -135,15 +171,15 @@ Outcome run(AnyModel& model, const Options& options, Recorder* recorder) {
 }
 
 double fastest_run(AnyModel& model, const Options& options) {
-  const TimeGrid grid = time_grid(options.from, options.to, options.step);
   const std::vector<Island> islands = islands_of(model);
   const std::vector<double> start = begin_run(model, islands, options);
+  const Task task = task_of(model, islands, options, start);
   std::vector<double> state(start);
   double fastest = std::numeric_limits<double>::infinity();
   for (long i = 0; i < options.repeat && !interrupted(); ++i) {
     std::copy(start.begin(), start.end(), state.begin());
     const Clock::time_point begin = Clock::now();
-    model.integrate(grid, state);
+    integrate(model, islands, options, task, state, nullptr);
     fastest = std::min(fastest, seconds_since(begin));
   }
   return fastest;

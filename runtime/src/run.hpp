@@ -21,7 +21,9 @@ struct Outcome {
   Status status = Status::Ok;
   std::string message;  ///< why it failed, as shown to the user
   long steps = 0;       ///< accepted
+  long rejected = 0;
   long evaluations = 0;
+  long projections = 0;
   double wall_seconds = 0;
   bool monitored = true;  ///< whether wall_seconds includes the monitors
   double time = 0;        ///< of the last accepted state

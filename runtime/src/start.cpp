@@ -90,13 +90,14 @@ std::string find_inconsistencies(AnyModel& model, const std::vector<Island>& isl
     for (std::size_t row = 0; row < islands[k].scale.size(); ++row) {
       const auto index = static_cast<std::size_t>(description.islands[k].constraints[row]);
       const ConstraintEntry& entry = description.constraints[index];
-      const double norm = row_norm(islands[k].rows, row);
-      if (const double off = distance(position[index], norm); off > reach) {
+      const IslandRows& rows = islands[k].rows;
+      const double norm = row_norm(rows, row);
+      if (const double off = entry.holonomic ? distance(rows.position[row], norm) : 0; off > reach) {
         fmt::format_to(std::back_inserter(messages),
                        "{}: error: the start violates constraint `{}`: its value is {:.6g}, {:.3g} away from zero in "
                        "the coordinates\n",
                        entry.place, entry.name, position[index], off);
-      } else if (const double fast = distance(velocity[index], norm); fast > speed) {
+      } else if (const double fast = distance(rows.velocity[row], norm); fast > speed) {
         fmt::format_to(std::back_inserter(messages),
                        "{}: error: the initial velocities violate constraint `{}`: {} is {:.6g}, {:.3g} away from zero "
                        "in the speeds\n",

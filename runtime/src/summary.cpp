@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "methods.hpp"
+
 namespace mbrt {
 namespace {
 
@@ -74,14 +76,24 @@ Json solver_json(const Outcome& outcome) {
 
 }  // namespace
 
-std::string summary_json(const Description& model, const Outcome& outcome) {
+std::string summary_json(const Description& model, const Options& options, const Outcome& outcome) {
   Json summary = {{"model", model.model}, {"mbcc_version", model.mbcc_version}, {"status", name(outcome.status)}};
   if (!outcome.message.empty()) {
     summary["message"] = outcome.message;
   }
-  summary["method"] = "rk4";
+  summary["method"] = options.method;
+  const bool chooses_step = find_method(options.method)->chooses_step;
+  if (chooses_step) {
+    summary["tolerance"] = options.tolerance;
+  }
   summary["steps"] = outcome.steps;
   summary["evaluations"] = outcome.evaluations;
+  if (chooses_step) {
+    summary["rejected"] = outcome.rejected;
+  }
+  if (options.project && !outcome.solves.empty()) {
+    summary["projections"] = outcome.projections;
+  }
   summary["wall_seconds"] = outcome.wall_seconds;
   summary["monitored"] = outcome.monitored;
   summary["final"] = final_json(model, outcome);

@@ -8,6 +8,6 @@
 
 namespace mbrt {
 
-std::string summary_json(const Description& model, const Outcome& outcome);
+std::string summary_json(const Description& model, const Options& options, const Outcome& outcome);
 
 }  // namespace mbrt

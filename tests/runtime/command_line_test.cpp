@@ -42,12 +42,14 @@ TEST_CASE("mistakes on the command line end with exit code 2 and one line") {
       {{"--npy", "-"}, "`--npy` needs a file: the number of rows stands at its beginning and is known at the end"},
       {{"--residuals"}, "`--residuals` adds to what is recorded: it needs `--csv` or `--npy`"},
       {{"--csv", "/nowhere/a.csv"}, "cannot write `/nowhere/a.csv`: No such file or directory"},
-      {{"--method", "dop853"}, "the method `dop853` is not part of this version of mbcc, which has `rk4`"},
-      {{"--method", "auto"}, "the method `auto` is not part of this version of mbcc, which has `rk4`"},
+      {{"--method", "radau"},
+       "the method `radau` is not part of this version of mbcc, which has `rk4`, `dop853` and `auto`"},
+      {{"--method", "dop853", "--tolerance", "1e-16"}, "the tolerance 1e-16 is below 2.2e-16, the rounding of numbers"},
       {{"--fix", "x1"}, "`--fix` holds what `--assemble` would move: it needs `--assemble`"},
       {{"--assemble", "--fix", "x3"}, "the model has no coordinate or speed `x3`, did you mean `x1`"},
-      {{"--stabilize", "1,2,3"}, "`--stabilize` is not part of this version of mbcc"},
-      {{"--project", "on"}, "`--project on` is not part of this version of mbcc"},
+      {{"--stabilize", "1,2"}, "`--stabilize 1,2` is not of the form B1,B2,B3"},
+      {{"--stabilize", "1,2,x"}, "`x` in `--stabilize` is not a finite number"},
+      {{"--stabilize", "1,2,0"}, "`--stabilize 0` is not positive"},
       {{"--project", "yes"}, "`--project yes` is neither `on` nor `off`"},
   };
   for (const auto& [arguments, message] : mistakes) {
@@ -60,8 +62,17 @@ TEST_CASE("mistakes on the command line end with exit code 2 and one line") {
 
 TEST_CASE("a model without times needs them on the line") {
   CHECK(run_plain("throw", {"--step", "0.1"}).errors == "error: neither the model nor `--to` says when to stop\n");
-  CHECK(run_plain("throw", {"--to", "1"}).errors == "error: neither the model nor `--step` gives the step of `rk4`\n");
+  CHECK(run_plain("throw", {"--to", "1", "--method", "rk4"}).errors ==
+        "error: neither the model nor `--step` gives the step of `rk4`\n");
   CHECK(run_plain("throw", {"--to", "1", "--step", "0.1"}).exit_code == 0);
+}
+
+TEST_CASE("a step without a method means rk4, and neither means auto at 1e-9") {
+  CHECK(run_sample("throw", {"--to", "1", "--step", "0.1"}).summary["method"] == "rk4");
+  const SampleRun chosen = run_sample("throw", {"--to", "1"});
+  CHECK(chosen.summary["method"] == "dop853");
+  CHECK(chosen.summary["tolerance"] == 1e-9);
+  CHECK(run_sample("edge", {"--to", "0.5", "--method", "auto"}).summary["method"] == "dop853");  // its model has a step
 }
 
 TEST_CASE("help is no mistake and knows the model's defaults") {
@@ -75,6 +86,8 @@ TEST_CASE("flags that change nothing are accepted") {
   CHECK(run_plain("pendulum", {"--project", "off", "--method", "rk4"}).errors.empty());
   CHECK(run_plain("pendulum", {"--tolerance", "1e-9"}).errors ==
         "warning: `--tolerance` has no effect on `rk4`, whose step is constant\n");
+  CHECK(run_plain("pendulum", {"--method", "dop853", "--step", "1"}).errors ==
+        "warning: `--step` has no effect on `dop853`, which chooses its steps\n");
 }
 
 TEST_CASE("a step that does not divide the span is a warning") {

@@ -19,12 +19,14 @@ struct DynamicIsland {
         matrix(rows * columns),
         residual(rows),
         free(columns),
-        mobility(columns) {
+        mobility(columns),
+        position(rows),
+        velocity(rows) {
     record.rank = record.smallest_rank = static_cast<int>(rows);
   }
-  Island view() { return {scale, floor, scratch, {matrix, residual, free, mobility}, &record}; }
+  Island view() { return {scale, floor, scratch, {matrix, residual, free, mobility, position, velocity}, &record}; }
 
-  std::vector<double> scale, floor, scratch, matrix, residual, free, mobility;
+  std::vector<double> scale, floor, scratch, matrix, residual, free, mobility, position, velocity;
   IslandRecord record;
 };
 

@@ -78,6 +78,8 @@ class SampleModel {
     for (std::size_t i = 0; i < entry.constraints.size(); ++i) {
       const auto constraint = scene_.constraint(entry.constraints[i], time_, y);
       rows.residual[i] = constraint.b;
+      rows.position[i] = constraint.value;
+      rows.velocity[i] = constraint.rate;
       for (std::size_t j = 0; j < entry.speeds.size(); ++j) {
         const auto speed = static_cast<std::size_t>(entry.speeds[j]);
         rows.matrix[i * entry.speeds.size() + j] = constraint.row[speed];
@@ -117,12 +119,21 @@ class SampleModel {
  private:
   struct IslandArrays {
     IslandArrays(std::size_t m, std::size_t n)
-        : scale(m), floor(m), scratch(scratch_size(m, n)), matrix(m * n), residual(m), free(n), mobility(n), added(n) {
+        : scale(m),
+          floor(m),
+          scratch(scratch_size(m, n)),
+          matrix(m * n),
+          residual(m),
+          free(n),
+          mobility(n),
+          position(m),
+          velocity(m),
+          added(n) {
       record.rank = record.smallest_rank = static_cast<int>(m);
     }
-    Island view() { return {scale, floor, scratch, {matrix, residual, free, mobility}, &record}; }
+    Island view() { return {scale, floor, scratch, {matrix, residual, free, mobility, position, velocity}, &record}; }
 
-    std::vector<double> scale, floor, scratch, matrix, residual, free, mobility, added;
+    std::vector<double> scale, floor, scratch, matrix, residual, free, mobility, position, velocity, added;
     IslandRecord record;
   };
 

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "mbrt/rk4.hpp"
 #include "mbrt/simulation.hpp"
 #include "scenes.hpp"
 
@@ -11,7 +12,7 @@ template <class Scene>
 int run(int argc, char** argv) {
   static_assert(mbrt::Model<mbrt::test::SampleModel<Scene>>);
   mbrt::test::SampleModel<Scene> model;
-  return mbrt::simulate(model, argc, argv);
+  return mbrt::simulate<mbrt::Rk4>(model, argc, argv);
 }
 
 }  // namespace

@@ -3,17 +3,27 @@
 
 #include <span>
 
+#include "mbrt/dynamics.hpp"
 #include "mbrt/island.hpp"
 #include "mbrt/model.hpp"
-#include "mbrt/rk4.hpp"
 
 namespace mbrt {
 
-/// A step observer (rk4.hpp) of precompiled code.
+/// The states within the step that has just been accepted.
+class Interpolant {
+ public:
+  virtual void at(double time, std::span<double> state) const = 0;
+
+ protected:
+  ~Interpolant() = default;
+};
+
+/// A step observer (dynamics.hpp) of precompiled code. `between` is null where the method has no dense output.
 class Observer {
  public:
   virtual void arriving() = 0;
-  virtual bool accepted(double time, std::span<const double> state, std::span<const double> rate) = 0;
+  virtual bool accepted(double time, std::span<const double> state, std::span<const double> rate,
+                        const Interpolant* between) = 0;
 
  protected:
   ~Observer() = default;
@@ -37,13 +47,13 @@ class AnyModel {
   virtual void outputs(std::span<const double> state, std::span<const double> rate, std::span<double> values) = 0;
   virtual void applied_forces(std::span<const double> state, std::span<double> values) = 0;
 
-  /// Moves `state` along the grid with rk4.
-  virtual void integrate(const TimeGrid& grid, std::span<double> state, Observer& observer) = 0;
-  virtual void integrate(const TimeGrid& grid, std::span<double> state) = 0;
-
-  /// Repeats one step of rk4 from `state` and leaves there the first stage whose rate is not finite. Returns its time,
-  /// which is then the time of the model, or NaN if every stage is finite.
-  virtual double find_failing_stage(double time, double step, std::span<double> state) = 0;
+  /// The method that was compiled for this very model. The library has the others, for any model.
+  virtual const char* method() const = 0;
+  /// Whether that method can project: the model has code for it, or nothing to project onto.
+  virtual bool can_project() const = 0;
+  /// Moves `state` as the task says, by that method.
+  virtual Course integrate(const Task& task, std::span<double> state, Observer& observer) = 0;
+  virtual Course integrate(const Task& task, std::span<double> state) = 0;
 
  protected:
   ~AnyModel() = default;

@@ -34,12 +34,15 @@ inline constexpr double default_cutoff = 1e-8;
 inline constexpr double largest_cutoff = 1e-3;
 
 /// Dense rows of one island at one state, row-major: `matrix` A (rows x columns), `residual` r = b - A a (rows),
-/// `free` the acceleration a without constraints (columns), `mobility` 1/m (columns).
+/// `free` the acceleration a without constraints (columns), `mobility` 1/m (columns). `position` and `velocity` (rows)
+/// are the errors of the constraints, in the units of their rows: value (0 where nonholonomic) and rate (there: value).
 struct IslandRows {
   std::span<double> matrix;
   std::span<double> residual;
   std::span<double> free;
   std::span<double> mobility;
+  std::span<double> position;
+  std::span<double> velocity;
 
   void clear() const {
     for (double& entry : matrix) {
@@ -80,7 +83,7 @@ class IslandStorage {
  public:
   IslandStorage() { record_.smallest_rank = record_.rank = static_cast<int>(Rows); }
 
-  Island view() { return {scale_, floor_, scratch_, {matrix_, residual_, free_, mobility_}, &record_}; }
+  Island view() { return {scale_, floor_, scratch_, {matrix_, residual_, free_, mobility_, position_, velocity_}, &record_}; }
   double floor(std::size_t row) const { return floor_[row]; }
   static constexpr bool holds(double pivot, double diagonal, double floor) {
     return mbrt::holds(pivot, diagonal, floor, Rows);
@@ -94,6 +97,8 @@ class IslandStorage {
   std::array<double, Rows> residual_{};
   std::array<double, Columns> free_{};
   std::array<double, Columns> mobility_{};
+  std::array<double, Rows> position_{};
+  std::array<double, Rows> velocity_{};
   IslandRecord record_;
 };
 

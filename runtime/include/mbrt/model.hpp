@@ -13,7 +13,7 @@
 namespace mbrt {
 
 /// Emitted code asserts that it was made for this version of these headers.
-inline constexpr int interface_version = 1;
+inline constexpr int interface_version = 2;
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
@@ -53,7 +53,7 @@ struct Description {
   const char* model;         ///< the model's name
   const char* mbcc_version;  ///< of the compiler that emitted it
   std::span<const char* const> coordinates;
-  std::span<const char* const> speeds;  ///< the i-th is the rate of the i-th coordinate
+  std::span<const char* const> speeds;         ///< the i-th is the rate of the i-th coordinate
   std::span<const char* const> accelerations;  ///< one per speed
   std::span<const char* const> outputs;
   std::span<const ParameterEntry> parameters;

@@ -1,20 +1,12 @@
 #pragma once
 // The classical Runge-Kutta method of order four with constant step.
 
-#include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
-#include <utility>
+
+#include "mbrt/dynamics.hpp"
 
 namespace mbrt {
-
-/// A first-order system y' = f(t, y). `State` is an indexable range of doubles; the time is set before `rates`.
-template <class M>
-concept Dynamics = requires(M& model, const typename M::State& state, typename M::State& rate, double time) {
-  model.set_time(time);
-  model.rates(state, rate);
-};
 
 /// The times of a run: `from` + i `step`; the last step is shortened to end at `to` where the step does not divide the
 /// span.
@@ -32,56 +24,25 @@ inline TimeGrid time_grid(double from, double to, double step) {
   return {from, to, step, static_cast<long>(std::ceil((to - from) / step - 1e-9))};
 }
 
-/// Sees each state that a method accepts, the start included. `arriving` is called before the rate there is evaluated,
-/// `accepted` after it, with the model's time set to `time`; it may set another, and false ends the run.
-template <class O, class State>
-concept StepObserver = requires(O& observer, double time, const State& state) {
-  observer.arriving();
-  { observer.accepted(time, state, state) } -> std::convertible_to<bool>;
-};
-
-/// The observer of a run of which only the end is wanted.
-struct Unobserved {
-  void arriving() {}
-  template <class State>
-  bool accepted(double, const State&, const State&) {
-    return true;
-  }
-};
-
-/// Whether a state is small enough for code without loops, in which the compiler keeps it in registers.
-template <class State>
-inline constexpr bool is_small = false;
-template <std::size_t Size>
-inline constexpr bool is_small<std::array<double, Size>> = Size <= 24;
-
-/// Calls f(0), f(1), ... for every component of a state; small states without a loop (measured: 25 % of a chain of 3
-/// links, whose rates are stored one by one and would be read back as vectors).
-template <class State, class Function>
-[[gnu::always_inline]] inline void for_each_component(const State& state, const Function& f) {
-  if constexpr (is_small<State>) {
-    [&]<std::size_t... J>(std::index_sequence<J...>) { (f(J), ...); }
-    (std::make_index_sequence<std::tuple_size_v<State>>{});
-  } else {
-    const std::size_t size = state.size();
-    for (std::size_t j = 0; j < size; ++j) {
-      f(j);
-    }
-  }
-}
-
 /// Moves `y` from grid.from to grid.to. The rate at an accepted state is the first stage of the step that follows, so
 /// that observing costs no evaluation: 4 steps + 1 in all. Allocates nothing, unless copying a State does, at the
-/// start alone.
-template <Dynamics M, StepObserver<typename M::State> Observer>
-void rk4(M& model, typename M::State& state, const TimeGrid& grid, Observer& observer) {
+/// start alone. With `Project` each step's end is moved onto the constraints.
+template <bool Project = false, Dynamics M, StepObserver<typename M::State> Observer>
+Course rk4(M& model, typename M::State& state, const TimeGrid& grid, Observer& observer) {
   typename M::State y = state, k = state, sum = state, stage = state;
+  Course course;
   double t = grid.from;
   model.set_time(t);
   for (long i = 0;; ++i) {
     observer.arriving();
     model.rates(y, k);
-    if (!observer.accepted(t, y, k) || i == grid.steps) {
+    const bool goes_on = observer.accepted(t, y, k);
+    if (!goes_on || i == grid.steps) {
+      course.ending = i == grid.steps ? Ending::Complete : Ending::Stopped;
+      course.time = t;
+      course.steps = i;
+      course.evaluations = 4 * i + 1;
+      course.projections = Project ? i : 0;
       break;
     }
     const double next = grid.time(i + 1);
@@ -107,8 +68,29 @@ void rk4(M& model, typename M::State& state, const TimeGrid& grid, Observer& obs
     model.rates(stage, k);
     const double sixth = h / 6;
     for_each_component(y, [&](std::size_t j) { y[j] += sixth * (sum[j] + k[j]); });
+    if constexpr (Project) {
+      model.project(y);
+    }
   }
   state = y;
+  return course;
 }
+
+/// The method by its name, for `simulate` (simulation.hpp).
+struct Rk4 {
+  static constexpr const char* name = "rk4";
+
+  /// Moves `state` as `task` says.
+  template <Dynamics M, StepObserver<typename M::State> Observer>
+  static Course run(M& model, typename M::State& state, const Task& task, Observer& observer) {
+    const TimeGrid grid = time_grid(task.from, task.to, task.step);
+    if constexpr (Projectable<M>) {
+      if (task.project) {
+        return rk4<true>(model, state, grid, observer);
+      }
+    }
+    return rk4(model, state, grid, observer);
+  }
+};
 
 }  // namespace mbrt

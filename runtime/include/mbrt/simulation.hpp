@@ -1,40 +1,65 @@
 #pragma once
 // `simulate`: the main program of every emitted simulation.
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 
 #include "mbrt/any_model.hpp"
-#include "mbrt/math.hpp"
 #include "mbrt/model.hpp"
-#include "mbrt/rk4.hpp"
 
 namespace mbrt {
 
-/// A model that remembers the first of its evaluations whose rate is not finite.
-template <Model M>
-struct StageProbe {
-  using State = typename M::State;
-
-  M& model;
-  State state;
-  double time = std::numeric_limits<double>::quiet_NaN();
-  double now = 0;
-
-  void set_time(double t) { model.set_time(now = t); }
-  void rates(const State& y, State& rate) {
-    model.rates(y, rate);
-    if (std::isnan(time) && !all_finite(rate)) {
-      time = now;
-      state = y;
-    }
+/// Copies between a model's own states and spans.
+template <class State>
+void take(std::span<const double> from, State& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    to[i] = from[i];
   }
+}
+template <class State>
+void give(const State& from, std::span<double> to) {
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    to[i] = from[i];
+  }
+}
+
+/// An `Observer` as a method for states of its own type wants it.
+template <class State>
+class Relay {
+ public:
+  explicit Relay(Observer& observer) : observer_(observer) {}
+
+  void arriving() { observer_.arriving(); }
+  bool accepted(double time, const State& state, const State& rate) {
+    return observer_.accepted(time, state, rate, nullptr);
+  }
+  template <class Between>
+  bool accepted(double time, const State& state, const State& rate, const Between& between) {
+    const Bridge<Between> bridge(between, state);
+    return observer_.accepted(time, state, rate, &bridge);
+  }
+
+ private:
+  template <class Between>
+  class Bridge final : public Interpolant {
+   public:
+    Bridge(const Between& between, const State& like) : between_(between), like_(like) {}
+    void at(double time, std::span<double> state) const override {
+      State y = like_;
+      between_(time, y);
+      give(y, state);
+    }
+
+   private:
+    const Between& between_;
+    const State& like_;
+  };
+
+  Observer& observer_;
 };
 
-/// `M` behind the interface of AnyModel.
-template <Model M>
+/// `M` behind the interface of AnyModel, with `Method` (Rk4, Dop853, ...) compiled for it.
+template <Model M, class Method>
 class BoundModel final : public AnyModel {
  public:
   explicit BoundModel(M& model) : model_(model), state_(model.initial_state()), rate_(state_) {}
@@ -94,43 +119,27 @@ class BoundModel final : public AnyModel {
     }
   }
 
-  void integrate(const TimeGrid& grid, std::span<double> state, Observer& observer) override {
-    State y = state_;
-    take(state, y);
-    rk4(model_, y, grid, observer);
-    give(y, state);
+  const char* method() const override { return Method::name; }
+  bool can_project() const override { return Projectable<M> || !HasConstraints<M>; }
+  Course integrate(const Task& task, std::span<double> state, Observer& observer) override {
+    Relay<State> relay(observer);
+    return run(task, state, relay);
   }
-  void integrate(const TimeGrid& grid, std::span<double> state) override {
-    State y = state_;
-    take(state, y);
+  Course integrate(const Task& task, std::span<double> state) override {
     Unobserved nobody;
-    rk4(model_, y, grid, nobody);
-    give(y, state);
-  }
-
-  double find_failing_stage(double time, double step, std::span<double> state) override {
-    State y = state_;
-    take(state, y);
-    StageProbe<M> probe{model_, y};
-    Unobserved nobody;
-    rk4(probe, y, {time, time + step, step, 1}, nobody);
-    give(probe.state, state);
-    model_.set_time(std::isnan(probe.time) ? time : probe.time);
-    return probe.time;
+    return run(task, state, nobody);
   }
 
  private:
   using State = typename M::State;
 
-  static void take(std::span<const double> from, State& to) {
-    for (std::size_t i = 0; i < to.size(); ++i) {
-      to[i] = from[i];
-    }
-  }
-  static void give(const State& from, std::span<double> to) {
-    for (std::size_t i = 0; i < to.size(); ++i) {
-      to[i] = from[i];
-    }
+  template <class AnyObserver>
+  Course run(const Task& task, std::span<double> state, AnyObserver& observer) {
+    State y = state_;
+    take(state, y);
+    const Course course = Method::run(model_, y, task, observer);
+    give(y, state);
+    return course;
   }
 
   M& model_;
@@ -139,9 +148,9 @@ class BoundModel final : public AnyModel {
 };
 
 /// The main program of an emitted simulation; see `run_program`.
-template <Model M>
+template <class Method, Model M>
 int simulate(M& model, int argc, char** argv) {
-  BoundModel<M> bound(model);
+  BoundModel<M, Method> bound(model);
   return run_program(bound, argc, argv);
 }
 

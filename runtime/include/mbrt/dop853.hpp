@@ -1,0 +1,240 @@
+#pragma once
+// The Runge-Kutta method of Dormand and Prince of order 8, with error estimates of order 5 and 3 and dense output of
+// order 7: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, sections II.4 to II.6.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "mbrt/adaptive.hpp"
+#include "mbrt/dop853_coefficients.hpp"
+#include "mbrt/math.hpp"
+
+namespace mbrt {
+
+/// The steps of the method: a `Stepper` for any Dynamics of this State.
+template <class State>
+class Dop853Stepper {
+ public:
+  static constexpr bool needs_rate = true;
+
+  /// For states of the size of `like`.
+  explicit Dop853Stepper(const State& like) : begin_(like), end_(like), allowed_(like) {
+    for (State& k : k_) {
+      k = like;
+    }
+    for (State& coefficients : dense_) {
+      coefficients = like;
+    }
+  }
+
+  State& state() { return end_; }
+  State& rate() { return k_[dop853::stages]; }
+  const State& start() const { return begin_; }
+  double step() const { return step_; }
+  long evaluations() const { return evaluations_; }
+
+  template <Dynamics M>
+  void begin(M& model, const Task& task) {
+    tolerance_ = task.tolerance;
+    for (std::size_t j = 0; j < allowed_.size(); ++j) {
+      allowed_[j] = task.tolerance * task.scales.of(j);
+    }
+    leave();
+    choose_first_step(model, task);
+  }
+
+  template <Dynamics M>
+  Attempt attempt(M& model, double time, double to) {
+    if (arrived_) {
+      leave();
+    }
+    const double end = landing(time, step_, to);
+    const double h = end - time;
+    [&]<std::size_t... S>(std::index_sequence<S...>) { (stage<S + 1>(model, time + dop853::nodes[S + 1] * h, h), ...); }
+    (std::make_index_sequence<dop853::stages - 2>{});
+    stage<dop853::stages - 1>(model, end, h);
+    advance<dop853::stages>(h);
+    const double error = estimate_error(h);
+    control(h, error);
+    time_ = time;
+    tried_step_ = h;
+    return {end, error};
+  }
+
+  /// Three evaluations for the first call in a step.
+  template <Dynamics M>
+  void between(M& model, double time, State& y) {
+    if (!dense_is_ready_) {
+      prepare_dense(model);
+    }
+    const double s = (time - time_) / tried_step_;
+    const double r = 1 - s;
+    for_each_component(y, [&](std::size_t j) {
+      const double difference = end_[j] - begin_[j];
+      const double at_begin = tried_step_ * k_[0][j] - difference;
+      const double at_end = difference - tried_step_ * k_[dop853::stages][j] - at_begin;
+      const double upper = dense_[0][j] + s * (dense_[1][j] + r * (dense_[2][j] + s * dense_[3][j]));
+      y[j] = begin_[j] + s * (difference + r * (at_begin + s * (at_end + r * upper)));
+    });
+  }
+
+  std::size_t worst_component() const {
+    std::size_t worst = 0;
+    double largest = -1;
+    for (std::size_t j = 0; j < begin_.size(); ++j) {
+      const double error = std::abs(sum<dop853::FifthOrderError>(j)) / allowed(j);
+      if (!(error <= largest)) {
+        largest = error;
+        worst = j;
+      }
+    }
+    return worst;
+  }
+
+ private:
+  /// The step's end becomes the begin of the next one.
+  void leave() {
+    begin_ = end_;
+    k_[0] = k_[dop853::stages];
+    arrived_ = false;
+    dense_is_ready_ = false;
+  }
+
+  /// One component of a sum over stages, without the terms that are zero.
+  template <class Row>
+  [[gnu::always_inline]] double sum(std::size_t j) const {
+    double total = 0;
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (add_term<Row, I>(total, j), ...); }
+    (std::make_index_sequence<Row::count>{});
+    return total;
+  }
+
+  template <class Row, std::size_t I>
+  [[gnu::always_inline]] void add_term(double& total, std::size_t j) const {
+    if constexpr (Row::at(I) != 0) {
+      total += Row::at(I) * k_[I][j];
+    }
+  }
+
+  template <std::size_t Stage>
+  void advance(double h) {
+    for_each_component(end_, [&](std::size_t j) { end_[j] = begin_[j] + h * sum<dop853::StageSum<Stage>>(j); });
+  }
+
+  template <std::size_t Stage, Dynamics M>
+  void stage(M& model, double time, double h) {
+    advance<Stage>(h);
+    model.set_time(time);
+    model.rates(end_, k_[Stage]);
+    ++evaluations_;
+  }
+
+  double allowed(std::size_t j) const {
+    return allowed_[j] + tolerance_ * std::max(std::abs(begin_[j]), std::abs(end_[j]));
+  }
+
+  /// The largest error of order 5 in parts of what is allowed, brought to order 7 by its ratio to that of order 3
+  /// (section II.10 of the book).
+  double estimate_error(double h) const {
+    double fifth = 0, third = 0;
+    for_each_component(begin_, [&](std::size_t j) {
+      const double per_allowed = 1 / allowed(j);
+      fifth = max(fifth, std::abs(sum<dop853::FifthOrderError>(j)) * per_allowed);
+      third = max(third, std::abs(sum<dop853::ThirdOrderError>(j)) * per_allowed);
+    });
+    return fifth == 0 ? 0 : h * fifth * fifth / std::sqrt(fifth * fifth + 0.01 * third * third);
+  }
+
+  /// The next step from the last one and its error, and a little from the error before (section IV.2 in volume II).
+  void control(double h, double error) {
+    constexpr double safety = 0.9, shrinks_most = 0.2, grows_most = 6;
+    constexpr double weight_of_last = 1.0 / 64, exponent = 1.0 / 8 - weight_of_last;
+    if (!std::isfinite(error)) {
+      step_ = 0.1 * h;
+    } else if (error > 1) {
+      step_ = h * std::max(shrinks_most, safety * std::pow(error, -1.0 / 8));
+    } else {
+      const double factor = safety * std::pow(error, -exponent) * std::pow(last_error_, weight_of_last);
+      step_ = h * std::clamp(factor, shrinks_most, shrunk_ ? 1 : grows_most);
+      last_error_ = std::max(error, 1e-4);
+      arrived_ = true;
+    }
+    shrunk_ = !arrived_;
+  }
+
+  /// A step at whose end a step of Euler's method, and the change of the rate over it, say that the error of order 8
+  /// is about 0.01 (section II.4).
+  template <Dynamics M>
+  void choose_first_step(M& model, const Task& task) {
+    const auto size = [this](const State& values) {
+      double largest = 0;
+      for (std::size_t j = 0; j < values.size(); ++j) {
+        largest = max(largest, std::abs(values[j]) / allowed(j));
+      }
+      return largest;
+    };
+    constexpr double little = 1e-5;
+    const double of_state = size(begin_);
+    const double of_rate = size(k_[0]);
+    const double span = task.to - task.from;
+    const double first =
+        std::min(span, of_state < little || of_rate < little ? 1e-6 * span : 0.01 * of_state / of_rate);
+    for_each_component(end_, [&](std::size_t j) { end_[j] = begin_[j] + first * k_[0][j]; });
+    model.set_time(task.from + first);
+    model.rates(end_, k_[1]);
+    ++evaluations_;
+    for_each_component(end_, [&](std::size_t j) { k_[1][j] -= k_[0][j]; });
+    const double derivative = std::max(of_rate, size(k_[1]) / first);
+    const double second = derivative > 0 ? std::pow(0.01 / derivative, 1.0 / 8) : span;
+    step_ = std::isfinite(second) ? std::min({100 * first, second, span}) : first;
+  }
+
+  template <Dynamics M>
+  void prepare_dense(M& model) {
+    State kept = end_;
+    [&]<std::size_t... S>(std::index_sequence<S...>) {
+      (stage<dop853::stages + 1 + S>(model, time_ + dop853::nodes[dop853::stages + 1 + S] * tried_step_, tried_step_),
+       ...);
+    }
+    (std::make_index_sequence<dop853::all_stages - dop853::stages - 1>{});
+    end_ = kept;
+    [&]<std::size_t... Row>(std::index_sequence<Row...>) {
+      (for_each_component(end_, [&](std::size_t j) { dense_[Row][j] = tried_step_ * sum<dop853::DenseSum<Row>>(j); }),
+       ...);
+    }
+    (std::make_index_sequence<4>{});
+    dense_is_ready_ = true;
+  }
+
+  State begin_;  // of the step
+  State end_;    // of the step, and the stages on the way
+  std::array<State, dop853::all_stages> k_;
+  std::array<State, 4> dense_;
+  State allowed_;  // the constant part of what the tolerance allows
+  double tolerance_ = 0;
+  double step_ = 0;        // next to try
+  double time_ = 0;        // where the step begins
+  double tried_step_ = 0;  // its length
+  double last_error_ = 1e-4;
+  bool arrived_ = false;  // the last attempt was accepted
+  bool shrunk_ = false;   // and the one before was not
+  bool dense_is_ready_ = false;
+  long evaluations_ = 0;
+};
+
+/// The method by its name, for `simulate` (simulation.hpp).
+struct Dop853 {
+  static constexpr const char* name = "dop853";
+
+  /// Moves `state` as `task` says.
+  template <Dynamics M, class Observer>
+  static Course run(M& model, typename M::State& state, const Task& task, Observer& observer) {
+    Dop853Stepper<typename M::State> stepper(state);
+    return run_adaptively(model, state, task, stepper, observer);
+  }
+};
+
+}  // namespace mbrt

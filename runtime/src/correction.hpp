@@ -1,0 +1,48 @@
+#pragma once
+// The shortest way onto the constraints, to first order: Note [nearest start] in assemble.hpp.
+
+#include <span>
+#include <vector>
+
+#include "mbrt/any_model.hpp"
+
+namespace mbrt {
+
+/// What counts as the error of a constraint: a sum of its value and its rate, or where it is nonholonomic a multiple of
+/// its value; if that multiple is zero, nonholonomic constraints do not count.
+struct ErrorTerms {
+  double position;
+  double velocity;
+  double nonholonomic;
+};
+inline constexpr ErrorTerms errors_of_position = {1, 0, 0};  ///< removed by moving coordinates
+inline constexpr ErrorTerms errors_of_velocity = {0, 1, 1};  ///< removed by changing speeds
+
+class Correction {
+ public:
+  Correction(AnyModel& model, const std::vector<Island>& islands);
+
+  /// All errors at `state` and the model's time together, in units of the scaled rows; infinite where one is no number.
+  double size(const ErrorTerms& terms, std::span<const double> state);
+
+  /// The shortest displacement by mass, one number per speed, that the rows at `state` turn into A moved - errors as
+  /// far as they can. `moved` may be empty and stand for zero; `held`, if not empty, marks speeds whose displacement is
+  /// zero. Leaves no trace in the islands' records. The cut-off is raised to the relative distance from the
+  /// constraints: off them, redundant rows are independent by about that much.
+  std::span<const double> step(const ErrorTerms& terms, std::span<const double> state,
+                               std::span<const double> moved = {}, const std::vector<bool>& held = {});
+
+ private:
+  bool counts(const ErrorTerms& terms, std::size_t island, std::size_t row) const;
+  double error(const ErrorTerms& terms, std::size_t island, std::size_t row) const;
+  double fill_residuals(const ErrorTerms& terms, std::size_t island, std::span<const double> moved);
+  void solve(std::size_t island, double relative_distance, const std::vector<bool>& held);
+
+  AnyModel& model_;
+  const Description& description_;
+  const std::vector<Island>& islands_;
+  std::vector<double> step_;
+  std::vector<double> added_;  // of one island
+};
+
+}  // namespace mbrt

@@ -1,0 +1,81 @@
+#include "methods.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "any_dynamics.hpp"
+#include "mbrt/dop853.hpp"
+#include "mbrt/math.hpp"
+#include "mbrt/rk4.hpp"
+#include "mbrt/simulation.hpp"
+
+namespace mbrt {
+namespace {
+
+constexpr std::array entries = {
+    MethodEntry{Rk4::name, "classical Runge-Kutta of order 4, constant step", false},
+    MethodEntry{Dop853::name, "Dormand and Prince's Runge-Kutta of order 8, adaptive step", true},
+};
+
+template <class Method>
+Course run(AnyDynamics& dynamics, std::vector<double>& state, const Task& task, Observer* observer) {
+  if (observer == nullptr) {
+    Unobserved nobody;
+    return Method::run(dynamics, state, task, nobody);
+  }
+  Relay<std::vector<double>> relay(*observer);
+  return Method::run(dynamics, state, task, relay);
+}
+
+/// A model that remembers the first of its evaluations whose rate is not finite.
+struct StageProbe {
+  using State = std::vector<double>;
+
+  AnyModel& model;
+  State state;
+  double time = not_given;
+  double now = 0;
+
+  void set_time(double t) { model.set_time(now = t); }
+  void rates(const State& y, State& rate) {
+    model.rates(y, rate);
+    if (std::isnan(time) && !all_finite(rate)) {
+      time = now;
+      state = y;
+    }
+  }
+};
+
+}  // namespace
+
+std::span<const MethodEntry> methods() { return entries; }
+
+const MethodEntry* find_method(std::string_view name) {
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [name](const MethodEntry& entry) { return name == entry.name; });
+  return found == entries.end() ? nullptr : found;
+}
+
+Course integrate(AnyModel& model, const std::vector<Island>& islands, const Options& options, const Task& task,
+                 std::vector<double>& state, Observer* observer) {
+  const bool has_own_code = options.method == model.method() && !options.stabilization;
+  if (has_own_code && (!task.project || model.can_project())) {
+    return observer == nullptr ? model.integrate(task, state) : model.integrate(task, state, *observer);
+  }
+  AnyDynamics dynamics(model, islands, options.stabilization);
+  return options.method == Rk4::name ? run<Rk4>(dynamics, state, task, observer)
+                                     : run<Dop853>(dynamics, state, task, observer);
+}
+
+double find_failing_stage(AnyModel& model, double time, double step, std::span<double> state) {
+  std::vector<double> y(state.begin(), state.end());
+  StageProbe probe{model, y};
+  Unobserved nobody;
+  rk4(probe, y, {time, time + step, step, 1}, nobody);
+  std::copy(probe.state.begin(), probe.state.end(), state.begin());
+  model.set_time(std::isnan(probe.time) ? time : probe.time);
+  return probe.time;
+}
+
+}  // namespace mbrt
