@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "mbrt/rk4.hpp"
 #include "mbrt/simulation.hpp"
 
 namespace mbrt {
@@ -13,7 +14,7 @@ std::vector<double> nearest_start(AnyModel& model, double time);
 
 template <Model M>
 std::vector<double> nearest_start(M& model, double time) {
-  BoundModel<M> bound(model);
+  BoundModel<M, Rk4> bound(model);  // nothing is integrated
   return nearest_start(static_cast<AnyModel&>(bound), time);
 }
 
