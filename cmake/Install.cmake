@@ -1,4 +1,4 @@
-# What `cmake --install` lays down: the programs, the runtime with its headers, the examples, and the two ways in which
+# What `cmake --install` lays down: the programs, the runtime with its headers, the manual page, the examples, and the two ways in which
 # other builds find them: find_package(mbcc) and pkg-config mbrt. The tree may be moved as a whole.
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +9,7 @@ set_target_properties(mbrt PROPERTIES EXPORT_NAME runtime)
 install(TARGETS mbcc_program mbcc_compare mbrt EXPORT mbccTargets)
 install(DIRECTORY runtime/include/mbrt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.mbd PATTERN *.md)
+install(FILES ${PROJECT_BINARY_DIR}/compiler/driver/mbcc.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 install(EXPORT mbccTargets NAMESPACE mbcc:: DESTINATION ${package_dir})
 configure_package_config_file(cmake/mbccConfig.cmake.in mbccConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "emit/emit.hpp"
+#include "driver/manual.hpp"
 #include "graph/operators.hpp"
 
 namespace mbcc {
@@ -20,8 +20,8 @@ constexpr std::string_view overview = R"(mbcc: a compiler for mechanics
   mbcc check MODEL.mbd                 diagnostics, then the structure of the model
   mbcc verify MODEL.mbd SIM.cpp        is SIM.cpp what this mbcc emits for the model?
   mbcc dump MODEL.mbd --stage=STAGE    tokens, syntax, system, equations, derivatives [--partials] or program
-  mbcc dialog [MODEL.mbd] [-o OUT.mbd] ask for a model, question by question, as plain mbcc does (mbcc help dialog)
-  mbcc help TOPIC                      language, functions, run, dialog, exit
+  mbcc dialog [MODEL.mbd]              ask for a model, question by question, as plain mbcc does (mbcc help dialog)
+  mbcc help TOPIC                      language, functions, run, dialog, exit; manual is all of it as a page for man
   mbcc --version
 
 With every command: --strict (forces and constraints in the paper's grammar), --werror, --diagnostics=json.
@@ -122,21 +122,22 @@ std::string functions() {
 )";
 }
 
-struct Topic {
-  std::string_view name;
-  std::string (*text)();
+constexpr std::array topics = {
+    HelpTopic{"", "COMMANDS", [] { return std::string(overview); }},
+    HelpTopic{"language", "MODELS", [] { return std::string(language); }, true},
+    HelpTopic{"functions", "FUNCTIONS", functions},
+    HelpTopic{"run", "RUNS", [] { return std::string(run); }},
+    HelpTopic{"dialog", "DIALOG", [] { return std::string(dialog); }},
+    HelpTopic{"exit", "EXIT STATUS", [] { return std::string(exit_codes); }},
+    HelpTopic{"manual", "", manual_page},
 };
-constexpr std::array topics = {Topic{"", [] { return std::string(overview); }},
-                               Topic{"language", [] { return std::string(language); }},
-                               Topic{"functions", functions},
-                               Topic{"run", [] { return std::string(run); }},
-                               Topic{"dialog", [] { return std::string(dialog); }},
-                               Topic{"exit", [] { return std::string(exit_codes); }}};
 
 }  // namespace
 
+std::span<const HelpTopic> help_topics() { return topics; }
+
 std::optional<std::string> help_text(std::string_view topic) {
-  for (const Topic& candidate : topics) {
+  for (const HelpTopic& candidate : topics) {
     if (candidate.name == topic) {
       return candidate.text();
     }
@@ -144,9 +145,9 @@ std::optional<std::string> help_text(std::string_view topic) {
   return std::nullopt;
 }
 
-std::string help_topics() {
+std::string help_topic_names() {
   std::string names;
-  for (const Topic& topic : topics) {
+  for (const HelpTopic& topic : topics) {
     names += topic.name.empty() ? "" : fmt::format("{}`{}`", names.empty() ? "" : ", ", topic.name);
   }
   return names;

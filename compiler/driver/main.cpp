@@ -142,7 +142,7 @@ int dialog_main(const std::vector<std::string>& words) {
 int help_main(const std::vector<std::string>& words) {
   const auto text = help_text(words.empty() ? "" : words.front());
   if (!text) {
-    return refuse(fmt::format("there is no help on `{}`: topics are {}", words.front(), help_topics()));
+    return refuse(fmt::format("there is no help on `{}`: topics are {}", words.front(), help_topic_names()));
   }
   fmt::print("{}", *text);
   return exit_fine;

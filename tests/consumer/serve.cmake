@@ -13,6 +13,10 @@ file(RENAME ${WORK}/installed ${WORK}/moved)
 file(COPY ${PROJECT}/ DESTINATION ${WORK}/project)
 set(mbcc ${WORK}/moved/bin/mbcc)
 
+if(NOT EXISTS ${WORK}/moved/share/man/man1/mbcc.1)
+  message(FATAL_ERROR "the manual page is not installed")
+endif()
+
 # The user's commit: what mbcc emits, a careless edit of it, and a reference with one wrong digit.
 run(${mbcc} project/pendulum.mbd -o project/pendulum.cpp)
 file(READ ${WORK}/project/pendulum.cpp emitted)

@@ -33,7 +33,8 @@ TEST_CASE("wrong usage is exit code 2 and one line that says what would be right
   CHECK(refusal({"dump", model, "--stage=syntax", "--partials"}) ==
         "mbcc: error: `--partials` goes with `--stage=derivatives`\n");
   CHECK(refusal({"help", "nothing"}) ==
-        "mbcc: error: there is no help on `nothing`: topics are `language`, `functions`, `run`, `dialog`, `exit`\n");
+        "mbcc: error: there is no help on `nothing`: topics are `language`, `functions`, `run`, `dialog`, `exit`, "
+        "`manual`\n");
   CHECK(refusal({model, "-o", shop.path("no/such/folder.cpp")}) ==
         "mbcc: error: cannot write `" + shop.path("no/such/folder.cpp") + "`\n");
   CHECK(refusal({"dialog", "-"}) ==
