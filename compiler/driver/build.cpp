@@ -22,21 +22,6 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-bool is_program(const fs::path& path) { return access(path.c_str(), X_OK) == 0 && !fs::is_directory(path); }
-
-bool is_on_path(const std::string& program) {
-  if (program.find('/') != std::string::npos) {
-    return is_program(program);
-  }
-  std::istringstream path(environment("PATH"));
-  for (std::string directory; std::getline(path, directory, ':');) {
-    if (is_program(fs::path(directory.empty() ? "." : directory) / program)) {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Where the runtime is: beside an installed mbcc, or in the build that this mbcc comes from.
 struct Runtime {
   fs::path include;

@@ -21,8 +21,10 @@ struct ModelArguments {
 int compile_command(const ModelArguments& arguments, const std::string& output, bool library,
                     const std::string& depfile);
 
-/// Builds and becomes the simulation, with `flags` as its arguments; interprets it where there is no C++ compiler.
-int run_command(const ModelArguments& arguments, const std::string& cxx_flags, const std::vector<std::string>& flags);
+/// Builds and becomes the simulation, with `flags` as its arguments; interprets it where there is no C++ compiler. With
+/// a name of a figure in `plot` it draws what the simulation has recorded.
+int run_command(const ModelArguments& arguments, const std::string& cxx_flags, const std::vector<std::string>& flags,
+                const std::string& plot);
 
 /// Prints the structure of the model.
 int check_command(const ModelArguments& arguments);

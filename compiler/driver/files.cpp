@@ -73,6 +73,14 @@ ScratchFile::~ScratchFile() {
   fs::remove(path_, ignored);
 }
 
+TemporaryFile::TemporaryFile(const std::string& target, std::string_view ending)
+    : path_(target + "." + std::to_string(getpid()) + "." + std::string(ending)) {}
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
 std::string relative_to_file(const std::string& file, const std::string& path) {
   const fs::path wanted(path);
   return (wanted.is_absolute() ? wanted : fs::path(file).parent_path() / wanted).lexically_normal().string();

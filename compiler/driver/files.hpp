@@ -28,6 +28,20 @@ class ScratchFile {
   std::string path_;  ///< empty if it could not be written
 };
 
+/// A name beside `target` for a file that is gone at the end of this one's life if it has not been renamed.
+class TemporaryFile {
+ public:
+  TemporaryFile(const std::string& target, std::string_view ending);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 /// `path` as seen from the directory of `file`.
 std::string relative_to_file(const std::string& file, const std::string& path);
 

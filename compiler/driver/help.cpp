@@ -17,11 +17,13 @@ constexpr std::string_view overview = R"(mbcc: a compiler for mechanics
        --library                       the class alone: no main, no allocation, no streams
        --depfile FILE                  the files that the output depends on, for make and ninja
   mbcc run MODEL.mbd [flags]           compile, build and run; flags are the simulation's (mbcc help run)
+       --plot FIGURE                   and draw what was recorded (mbcc help plot)
+  mbcc plot RESULT.csv ... -o FIGURE   draw recorded results, several over each other
   mbcc check MODEL.mbd                 diagnostics, then the structure of the model
   mbcc verify MODEL.mbd SIM.cpp        is SIM.cpp what this mbcc emits for the model?
   mbcc dump MODEL.mbd --stage=STAGE    tokens, syntax, system, equations, derivatives [--partials] or program
   mbcc dialog [MODEL.mbd]              ask for a model, question by question, as plain mbcc does (mbcc help dialog)
-  mbcc help TOPIC                      language, functions, run, dialog, exit; manual is all of it as a page for man
+  mbcc help TOPIC                      language, functions, run, plot, dialog, exit; manual is all of it as a page for man
   mbcc --version
 
 With every command: --strict (forces and constraints in the paper's grammar), --werror, --diagnostics=json.
@@ -71,6 +73,25 @@ constexpr std::string_view run = R"(Flags of `mbcc run MODEL.mbd` and of emitted
 
 Of mbcc itself, for the build (kept by content in the user's cache): --cxxflags="-O3 -march=native", and CXX in the
 environment. Without a C++ compiler the model is interpreted.
+)";
+
+constexpr std::string_view plot = R"(Figures
+
+  mbcc run MODEL.mbd --plot FIGURE [flags]      run, and draw what was recorded
+  mbcc plot RESULT.csv ... -o FIGURE            draw files that `--csv` has recorded
+
+FIGURE ends in .svg, .png or .pdf, drawn by gnuplot (in Debian the package gnuplot-nox), or in .gp: the script for it.
+A picture shows all figures side by side, a pdf each on a page of its own:
+
+  each particle           coordinates, velocities, accelerations
+  constraint errors       of position, velocity and acceleration, on logarithmic axes; the largest of more than seven
+  energy and outputs      how far the energy is from where it began, and each output
+
+Errors and energy are drawn from columns that `--residuals` records. `--plot` adds them; it draws the file of `--csv`
+if there is one, else a recording that does not stay. A run that fails or is interrupted is drawn as far as it came.
+
+Of several results, at most five, each has a dash pattern, and the first lies broad and pale under the others. What does
+not move is drawn as a level line, rounding errors and all; long results are thinned so that every peak stays.
 )";
 
 constexpr std::string_view dialog = R"(Asking for a model: mbcc dialog [MODEL.mbd] [-o OUT.mbd] [--force]
@@ -127,6 +148,7 @@ constexpr std::array topics = {
     HelpTopic{"language", "MODELS", [] { return std::string(language); }, true},
     HelpTopic{"functions", "FUNCTIONS", functions},
     HelpTopic{"run", "RUNS", [] { return std::string(run); }},
+    HelpTopic{"plot", "FIGURES", [] { return std::string(plot); }},
     HelpTopic{"dialog", "DIALOG", [] { return std::string(dialog); }},
     HelpTopic{"exit", "EXIT STATUS", [] { return std::string(exit_codes); }},
     HelpTopic{"manual", "", manual_page},

@@ -10,6 +10,7 @@
 #include "driver/build.hpp"
 #include "driver/commands.hpp"
 #include "driver/exit_codes.hpp"
+#include "driver/figures.hpp"
 #include "driver/help.hpp"
 #include "driver/model_input.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 using namespace mbcc;
 
 /// Commands of the contract that this version does not have yet: refused by name, never silently replaced.
-constexpr std::array<std::string_view, 4> later_commands = {"plot", "equilibrium", "linearize", "sweep"};
+constexpr std::array<std::string_view, 3> later_commands = {"equilibrium", "linearize", "sweep"};
 
 void add_model_arguments(CLI::App& app, ModelArguments& arguments) {
   app.add_flag("--strict", arguments.strict, "hold forces and constraints to the paper's grammar");
@@ -68,7 +69,9 @@ int run_main(const std::vector<std::string>& words) {
   CLI::App app{"mbcc run MODEL.mbd [flags]: compile, build and run a model; flags are the simulation's"};
   ModelArguments arguments;
   std::string cxx_flags = default_cxx_flags;
+  std::string plot;
   app.add_option("--cxxflags", cxx_flags, "flags for the C++ compiler")->capture_default_str();
+  app.add_option("--plot", plot, "draw what the simulation records");
   app.set_help_flag();
   add_model_arguments(app, arguments);
   app.allow_extras();
@@ -81,12 +84,22 @@ int run_main(const std::vector<std::string>& words) {
   }
   const std::vector<std::string> flags = app.remaining();
   arguments.assembles = std::find(flags.begin(), flags.end(), "--assemble") != flags.end();
-  for (const std::string& flag : flags) {
-    if (flag.starts_with("--plot")) {
-      return refuse("`--plot` is not available in this version of mbcc");
-    }
+  return run_command(arguments, cxx_flags, flags, plot);
+}
+
+int plot_main(const std::vector<std::string>& words) {
+  CLI::App app{"mbcc plot RESULT.csv ... -o FIGURE: draw recorded results, several over each other"};
+  std::vector<std::string> results;
+  std::string figure;
+  app.add_option("RESULT", results, "files that `--csv` has recorded");
+  app.add_option("-o", figure, "file to write: .svg, .png, .pdf, or .gp for the script");
+  if (const auto code = parse(app, words)) {
+    return *code;
   }
-  return run_command(arguments, cxx_flags, flags);
+  if (results.empty() || figure.empty()) {
+    return refuse("`mbcc plot` takes results and where to draw them: `mbcc plot RESULT.csv ... -o FIGURE`");
+  }
+  return draw_figure(results, figure);
 }
 
 int check_main(const std::vector<std::string>& words) {
@@ -152,10 +165,10 @@ struct Command {
   std::string_view name;
   int (*main)(const std::vector<std::string>& words);
 };
-constexpr std::array commands = {Command{"run", run_main},       Command{"check", check_main},
-                                 Command{"verify", verify_main}, Command{"dump", dump_main},
-                                 Command{"dialog", dialog_main}, Command{"help", help_main},
-                                 Command{"--help", help_main},   Command{"-h", help_main}};
+constexpr std::array commands = {
+    Command{"run", run_main},       Command{"plot", plot_main},   Command{"check", check_main},
+    Command{"verify", verify_main}, Command{"dump", dump_main},   Command{"dialog", dialog_main},
+    Command{"help", help_main},     Command{"--help", help_main}, Command{"-h", help_main}};
 
 }  // namespace
 

@@ -6,12 +6,19 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
 
 extern char** environ;
 
 namespace mbcc {
 
 namespace {
+
+bool is_program(const std::filesystem::path& path) {
+  return access(path.c_str(), X_OK) == 0 && !std::filesystem::is_directory(path);
+}
 
 /// Holds SIGINT, SIGTERM and SIGCHLD back while this lives, for `wait` to take.
 class HeldSignals {
@@ -60,6 +67,20 @@ int spawn(const std::vector<std::string>& command, const std::string& log, const
 int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 }  // namespace
+
+bool is_on_path(const std::string& program) {
+  if (program.find('/') != std::string::npos) {
+    return is_program(program);
+  }
+  const char* const search = std::getenv("PATH");
+  std::istringstream path(search == nullptr ? "" : search);
+  for (std::string directory; std::getline(path, directory, ':');) {
+    if (is_program(std::filesystem::path(directory.empty() ? "." : directory) / program)) {
+      return true;
+    }
+  }
+  return false;
+}
 
 ProcessEnd run_process(const std::vector<std::string>& command, const std::string& log) {
   const HeldSignals signals;

@@ -6,6 +6,9 @@
 
 namespace mbcc {
 
+/// Whether `program`, a path or a name, is one that can be started.
+bool is_on_path(const std::string& program);
+
 struct ProcessEnd {
   int exit_code = 127;       ///< 127: it could not be started; 128 + n: signal n ended it
   bool interrupted = false;  ///< mbcc was asked to stop meanwhile, and the program did not end well

@@ -23,8 +23,6 @@ TEST_CASE("wrong usage is exit code 2 and one line that says what would be right
   CHECK(refusal({"run", none}) == "mbcc: error: cannot read `" + none + "`\n");
   CHECK(refusal({"run"}) == "mbcc: error: `mbcc run` takes a model first: `mbcc run MODEL.mbd [flags]`\n");
   CHECK(refusal({"run", "--to", "1"}) == "mbcc: error: `mbcc run` takes a model first: `mbcc run MODEL.mbd [flags]`\n");
-  CHECK(refusal({"run", model, "--plot", "x.svg"}) ==
-        "mbcc: error: `--plot` is not available in this version of mbcc\n");
   CHECK(refusal({"check"}) == "mbcc: error: MODEL is required (see `mbcc --help`)\n");
   CHECK(refusal({"check", model, "--diagnostics=xml"}) ==
         "mbcc: error: --diagnostics: xml not in {text,json} (see `mbcc --help`)\n");
@@ -33,8 +31,8 @@ TEST_CASE("wrong usage is exit code 2 and one line that says what would be right
   CHECK(refusal({"dump", model, "--stage=syntax", "--partials"}) ==
         "mbcc: error: `--partials` goes with `--stage=derivatives`\n");
   CHECK(refusal({"help", "nothing"}) ==
-        "mbcc: error: there is no help on `nothing`: topics are `language`, `functions`, `run`, `dialog`, `exit`, "
-        "`manual`\n");
+        "mbcc: error: there is no help on `nothing`: topics are `language`, `functions`, `run`, `plot`, `dialog`, "
+        "`exit`, `manual`\n");
   CHECK(refusal({model, "-o", shop.path("no/such/folder.cpp")}) ==
         "mbcc: error: cannot write `" + shop.path("no/such/folder.cpp") + "`\n");
   CHECK(refusal({"dialog", "-"}) ==
@@ -45,7 +43,7 @@ TEST_CASE("wrong usage is exit code 2 and one line that says what would be right
 }
 
 TEST_CASE("commands of later versions are refused by name") {
-  for (const std::string command : {"plot", "equilibrium", "linearize", "sweep"}) {
+  for (const std::string command : {"equilibrium", "linearize", "sweep"}) {
     const Outcome outcome = run_mbcc({command});
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.errors == "mbcc: error: `mbcc " + command + "` is not available in this version of mbcc\n");
