@@ -1,8 +1,8 @@
 // What README.md shows is true: models are accepted, commands print what stands there, emitted code has the excerpt,
 // and the control loop compiles and prints its line.
 #include <catch2/catch.hpp>
-#include <sstream>
 
+#include "support/markdown.hpp"
 #include "support/run_model.hpp"
 
 namespace {
@@ -12,33 +12,8 @@ using namespace mbcc::test;
 const std::filesystem::path root = MBCC_SOURCE_DIR;
 const std::filesystem::path model = root / "examples/planar_pendulum/planar_pendulum.mbd";
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-/// The n-th block of README.md, from 0, between "```" + language and "```".
-std::string block(const std::string& language, int n) {
-  bool inside = false, wanted = false;
-  std::string text;
-  for (const std::string& line : lines_of(read_file(root / "README.md"))) {
-    if (line.rfind("```", 0) == 0) {
-      if (wanted) {
-        return text;
-      }
-      wanted = !inside && line.substr(3) == language && n-- == 0;
-      inside = !inside;
-    } else if (wanted) {
-      text += line + "\n";
-    }
-  }
-  FAIL("README.md has no such block: " + language);
-  return {};
-}
+/// The n-th block of a language in README.md.
+std::string block(const std::string& language, int n) { return block_of(root / "README.md", language, n).text; }
 
 /// All but what depends on the machine: the time of a run, and errors that are rounding alone.
 void check_report(const std::vector<std::string>& printed, const std::vector<std::string>& shown) {
