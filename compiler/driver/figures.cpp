@@ -14,6 +14,7 @@
 #include "driver/gnuplot.hpp"
 #include "driver/model_input.hpp"
 #include "figure/script.hpp"
+#include "page/page.hpp"
 
 namespace mbcc {
 
@@ -25,26 +26,44 @@ using Tables = std::vector<Table>;
 
 std::string nothing_in_the_way() { return {}; }
 
+std::string write_text(const std::string& path, const std::string& text) {
+  return write_file(path, text) ? "" : fmt::format("cannot write `{}`", path);
+}
+
 template <Format format>
-std::string draw(const Tables& results, const std::string& path) {
+std::string draw(const Tables& results, const Subject&, const std::string& path) {
   return draw_with_gnuplot([&](const std::string& output) { return gnuplot_script(results, format, output); }, path);
 }
 
 /// The script itself, which draws a picture of its own name.
-std::string write_script(const Tables& results, const std::string& path) {
+std::string write_script(const Tables& results, const Subject&, const std::string& path) {
   const std::string picture = path.substr(0, path.rfind('.')) + ".svg";
-  return write_file(path, gnuplot_script(results, Format::Svg, picture)) ? "" : fmt::format("cannot write `{}`", path);
+  return write_text(path, gnuplot_script(results, Format::Svg, picture));
+}
+
+std::string obstacle_to_pages() {
+  return page::available() ? ""
+                           : "this mbcc was built without HTML pages: their libraries come by npm (in Debian the "
+                             "packages nodejs and npm), which was not there";
+}
+
+std::string write_page(const Tables& results, const Subject& subject, const std::string& path) {
+  if (results.size() > 1) {
+    return fmt::format("a page shows one result, and these are {}", results.size());
+  }
+  return write_text(path, page::write_page(results.front(), subject.skeleton, subject.title, subject.source));
 }
 
 /// A form of figures. Both functions return what is wrong, or nothing.
 struct Form {
   std::string_view ending;
   std::string (*obstacle)();
-  std::string (*write)(const Tables& results, const std::string& path);
+  std::string (*write)(const Tables& results, const Subject& subject, const std::string& path);
 };
 constexpr std::array forms = {
     Form{".svg", obstacle_to_gnuplot, draw<Format::Svg>}, Form{".png", obstacle_to_gnuplot, draw<Format::Png>},
-    Form{".pdf", obstacle_to_gnuplot, draw<Format::Pdf>}, Form{".gp", nothing_in_the_way, write_script}};
+    Form{".pdf", obstacle_to_gnuplot, draw<Format::Pdf>}, Form{".gp", nothing_in_the_way, write_script},
+    Form{".html", obstacle_to_pages, write_page}};
 
 const Form* form_of(const std::string& path) {
   const auto found =
@@ -89,7 +108,7 @@ std::string obstacle_to_figure(const std::string& path) {
   return fmt::format("which form of figure is `{}`: its name must end in {}", path, endings);
 }
 
-int draw_figure(const std::vector<std::string>& results, const std::string& path) {
+int draw_figure(const std::vector<std::string>& results, const Subject& subject, const std::string& path) {
   if (const std::string obstacle = obstacle_to_figure(path); !obstacle.empty()) {
     return refuse(obstacle);
   }
@@ -104,7 +123,7 @@ int draw_figure(const std::vector<std::string>& results, const std::string& path
   if (std::all_of(tables->begin(), tables->end(), holds_time_alone)) {
     return refuse(fmt::format("there is nothing to draw: `{}` holds the time alone", tables->front().name));
   }
-  const std::string failure = form_of(path)->write(*tables, path);
+  const std::string failure = form_of(path)->write(*tables, subject, path);
   return failure.empty() ? static_cast<int>(exit_fine) : refuse(failure);
 }
 

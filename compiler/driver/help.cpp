@@ -80,7 +80,9 @@ constexpr std::string_view plot = R"(Figures
   mbcc run MODEL.mbd --plot FIGURE [flags]      run, and draw what was recorded
   mbcc plot RESULT.csv ... -o FIGURE            draw files that `--csv` has recorded
 
-FIGURE ends in .svg, .png or .pdf, drawn by gnuplot (in Debian the package gnuplot-nox), or in .gp: the script for it.
+FIGURE ends in .svg, .png or .pdf, drawn by gnuplot (in Debian the package gnuplot-nox), in .gp: the script for it, or
+in .html: a page for a browser with the same panels, to zoom, beside the moving scene. It needs nothing but itself.
+
 A picture shows all figures side by side, a pdf each on a page of its own:
 
   each particle           coordinates, velocities, accelerations

@@ -92,14 +92,14 @@ int plot_main(const std::vector<std::string>& words) {
   std::vector<std::string> results;
   std::string figure;
   app.add_option("RESULT", results, "files that `--csv` has recorded");
-  app.add_option("-o", figure, "file to write: .svg, .png, .pdf, or .gp for the script");
+  app.add_option("-o", figure, "file to write: .svg, .png, .pdf, .gp for the script, or .html for a page");
   if (const auto code = parse(app, words)) {
     return *code;
   }
   if (results.empty() || figure.empty()) {
     return refuse("`mbcc plot` takes results and where to draw them: `mbcc plot RESULT.csv ... -o FIGURE`");
   }
-  return draw_figure(results, figure);
+  return draw_figure(results, subject_of_file(results.front()), figure);
 }
 
 int check_main(const std::vector<std::string>& words) {

@@ -86,15 +86,10 @@ int simulate(const Compilation& compilation, const ModelArguments& arguments, co
   return refuse(fmt::format("cannot execute `{}`", built.program));
 }
 
-/// Draws what a simulation that ended with `code` has recorded, be it only the part until it failed.
-int draw_recording(const std::string& recording, const std::string& figure, int code) {
+/// Whether there is anything to draw, be it only the part until the simulation failed.
+bool has_rows(const std::string& recording) {
   const std::optional<std::string> text = read_file(recording);
-  const bool has_rows = text && std::count(text->begin(), text->end(), '\n') > 1;
-  if (!has_rows) {
-    return code;
-  }
-  const int drawn = draw_figure({recording}, figure);
-  return code == exit_fine ? drawn : code;
+  return text && std::count(text->begin(), text->end(), '\n') > 1;
 }
 
 }  // namespace
@@ -120,7 +115,11 @@ int run_command(const ModelArguments& arguments, const std::string& cxx_flags, c
     all_flags.push_back(flag);
   }
   const int code = simulate(*compilation, arguments, cxx_flags, all_flags, true);
-  return draw_recording(recording.path(), plot, code);
+  if (!has_rows(recording.path())) {
+    return code;
+  }
+  const int drawn = draw_figure({recording.path()}, subject_of_run(*compilation, arguments.model, flags), plot);
+  return code == exit_fine ? drawn : code;
 }
 
 }  // namespace mbcc

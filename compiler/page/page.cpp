@@ -140,14 +140,16 @@ std::string write_page(const figure::Table& table, const Skeleton& skeleton, con
                        const std::string& source) {
   const Json data = data_of(table, skeleton);
   const std::size_t recorded = table.time().size();
-  const std::string facts = fmt::format("{} · t = {} to {}", source, table.time().front(), table.time().back());
-  const std::string rows =
-      data["rows"] == recorded
-          ? fmt::format("The page holds all {} recorded rows.", recorded)
-          : fmt::format(
-                "The page holds {} of the {} recorded rows, each with all its digits: the first of every "
-                "stretch, and the one that stands out most.",
-                data["rows"].get<std::size_t>(), recorded);
+  const auto held = data["rows"].get<std::size_t>();
+  std::string facts = fmt::format("{} · t = {} to {}", source, table.time().front(), table.time().back());
+  std::string rows = fmt::format("The page holds all {} recorded rows.", recorded);
+  if (held < recorded) {
+    facts += fmt::format(" · {} of {} rows", held, recorded);
+    rows = fmt::format(
+        "The page holds {} of the {} recorded rows, each with all its digits: the first of every stretch, and the one "
+        "that stands out most.",
+        held, recorded);
+  }
   return cpp::fill(part("page.html.in"), {{"title", escaped(title)},
                                           {"facts", escaped(facts)},
                                           {"rows", rows},

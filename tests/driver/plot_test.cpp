@@ -124,9 +124,11 @@ TEST_CASE("a figure that cannot be is refused") {
   CHECK(refusal({"plot", csv}) == usage);
   CHECK(refusal({"plot", "-o", figure}) == usage);
   CHECK(refusal({"plot", csv, "-o", "figure.jpg"}) ==
-        "mbcc: error: which form of figure is `figure.jpg`: its name must end in `.svg`, `.png`, `.pdf` or `.gp`\n");
-  CHECK(refusal({"run", shop.path("none.mbd"), "--plot", "figure"}) ==
-        "mbcc: error: which form of figure is `figure`: its name must end in `.svg`, `.png`, `.pdf` or `.gp`\n");
+        "mbcc: error: which form of figure is `figure.jpg`: its name must end in `.svg`, `.png`, `.pdf`, `.gp` or "
+        "`.html`\n");
+  CHECK(
+      refusal({"run", shop.path("none.mbd"), "--plot", "figure"}) ==
+      "mbcc: error: which form of figure is `figure`: its name must end in `.svg`, `.png`, `.pdf`, `.gp` or `.html`\n");
   CHECK(refusal({"plot", csv, csv, csv, csv, csv, csv, "-o", figure}) ==
         "mbcc: error: one figure shows at most 5 results, and these are 6\n");
   CHECK(refusal({"plot", shop.path("none.csv"), "-o", figure}) ==

@@ -26,8 +26,10 @@ export class Clock {
 
   /** Real time if the motion is neither over in a moment nor endless. */
   #comfortableSpeed() {
-    if (this.span / longestAtFirst > 1) return speeds.find((speed) => this.span / speed <= longestAtFirst) ?? speeds.at(-1);
-    return [...speeds].reverse().find((speed) => speed <= 1 && this.span / speed >= shortestAtFirst) ?? speeds[0];
+    if (this.span > longestAtFirst) {
+      return speeds.find((speed) => this.span / speed <= longestAtFirst) ?? speeds.at(-1);
+    }
+    return speeds.findLast((speed) => speed <= 1 && this.span / speed >= shortestAtFirst) ?? speeds[0];
   }
 
   /** `listener` is called after every change of time, speed or playing. */

@@ -82,6 +82,7 @@ requestAnimationFrame(frame);
 window.mbcc = {
   result,
   positions: () => view?.drawnPositions() ?? [],
+  onScreen: () => view?.screenPositions() ?? [],
   time: () => clock.time,
   seek: (time) => clock.seek(time),
   playing: () => clock.playing,

@@ -2,9 +2,19 @@
 
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
+/** 10⁻⁸ for −8. */
+function power(exponent) {
+  const digits = [...String(Math.abs(exponent))].map((digit) => superscripts[digit]).join("");
+  return `10${exponent < 0 ? "⁻" : ""}${digits}`;
+}
+
 /** Every digit that the double needs, with a true minus sign. */
 export function exact(value) {
-  return Number.isNaN(value) ? "not a number" : String(value).replaceAll("-", "−");
+  if (Number.isNaN(value)) return "not a number";
+  const size = Math.abs(value);
+  const plain = size === 0 || (size >= 1e-3 && size < 1e6) || !Number.isFinite(size);
+  const [digits, exponent] = (plain ? String(value) : value.toExponential()).split("e");
+  return digits.replace("-", "−") + (exponent ? `·${power(Number(exponent))}` : "");
 }
 
 /** For the marks of an axis. */
@@ -12,12 +22,9 @@ export function brief(value) {
   return exact(Number(value.toPrecision(6)));
 }
 
-/** 10⁻⁸ for 1e-8; nothing for what is no power of ten. */
+/** 10⁻⁸ for 1e-8. */
 export function powerOfTen(value) {
-  const exponent = Math.round(Math.log10(value));
-  if (Math.abs(value / 10 ** exponent - 1) > 1e-9) return null;
-  const digits = [...String(Math.abs(exponent))].map((digit) => superscripts[digit]).join("");
-  return `10${exponent < 0 ? "⁻" : ""}${digits}`;
+  return power(Math.round(Math.log10(value)));
 }
 
 /** `time` with as many digits as tell the rows of a motion of that length apart. */

@@ -3,9 +3,10 @@ import uPlot from "uplot";
 import { brief, exact, powerOfTen } from "./numbers.js";
 import { nearestRow } from "./result.js";
 
+const mostDecadeMarks = 6;
 const clickTravel = 4; // pixels between press and release that still make a click, not a zoom
 
-/** Axis ends around values from `low` to `high`: some air, and a signal that is constant but for rounding stays flat. */
+/** Axis ends around values from `low` to `high`: with some air; what is constant but for rounding stays flat. */
 function sensibleRange(plot, low, high) {
   if (low === null || high === null) return [-1, 1];
   const size = Math.max(Math.abs(low), Math.abs(high));
@@ -20,6 +21,15 @@ function decades(plot, low, high) {
   const first = Math.floor(Math.log10(low));
   const last = Math.max(Math.ceil(Math.log10(high)), first + 1);
   return [10 ** first, 10 ** last];
+}
+
+/** The powers of ten to mark between two others, every second or third one where they are many. */
+function decadeMarks(plot, axis, low, high) {
+  const [first, last] = [low, high].map((value) => Math.round(Math.log10(value)));
+  const step = Math.ceil((last - first) / mostDecadeMarks);
+  const marks = [];
+  for (let exponent = last; exponent >= first; exponent -= step) marks.unshift(10 ** exponent);
+  return marks;
 }
 
 /** Sizes for a logarithmic axis, on which an exact zero has no place. */
@@ -52,7 +62,7 @@ export class Plot {
     this.observer.observe(this.canvas);
   }
 
-  /** `listener` of "zoom" gets [from, to] or null for all, that of "time" the time that was clicked. */
+  /** `listener` of "zoom" gets [from, to] or null for all, that of "time" the time that was pointed to. */
   on(event, listener) {
     this.#listeners[event] = listener;
   }
@@ -77,8 +87,17 @@ export class Plot {
       ticks: { stroke: theme.colour("--grid"), width: 1, size: 4 },
       font: "11px system-ui, sans-serif",
     };
-    const marks = (plot, values) => values.map((value) => (value === null ? null : brief(value)));
-    const decadeMarks = (plot, values) => values.map((value) => (value === null ? null : powerOfTen(value)));
+    const values = (plot, marks) => marks.map(brief);
+    const size = 64;
+    const upright = this.logarithmic
+      ? {
+          ...axis,
+          size,
+          splits: decadeMarks,
+          filter: (plot, marks) => marks,
+          values: (plot, marks) => marks.map(powerOfTen),
+        }
+      : { ...axis, size, values };
     return {
       width: 400,
       height: 120,
@@ -89,10 +108,7 @@ export class Plot {
         x: { time: false, min: from, max: to },
         y: this.logarithmic ? { distr: 3, range: decades } : { range: sensibleRange },
       },
-      axes: [
-        { ...axis, size: 26, values: marks },
-        { ...axis, size: 64, values: this.logarithmic ? decadeMarks : marks },
-      ],
+      axes: [{ ...axis, size: 26, values }, upright],
       series: [
         {},
         ...this.columns.map(({ name }, index) => ({
@@ -120,6 +136,15 @@ export class Plot {
     });
     over.addEventListener("dblclick", () => this.#listeners.zoom(null));
     over.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
+
+    const axis = this.plot.root.querySelector(".u-axis"); // the first one is that of time: it can be dragged along
+    const follow = (event) => axis.hasPointerCapture(event.pointerId) && this.#listeners.time(this.#timeUnder(event));
+    axis.classList.add("time-axis");
+    axis.addEventListener("pointerdown", (event) => {
+      axis.setPointerCapture(event.pointerId);
+      follow(event);
+    });
+    axis.addEventListener("pointermove", follow);
   }
 
   #timeUnder(event) {

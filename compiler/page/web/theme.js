@@ -8,6 +8,7 @@ const signals = {
 
 export class Theme {
   #listeners = [];
+  #probe = document.head.appendChild(document.createElement("meta"));
   #system = matchMedia("(prefers-color-scheme: dark)");
 
   constructor() {
@@ -31,9 +32,10 @@ export class Theme {
     for (const listener of this.#listeners) listener(this);
   }
 
-  /** The value of a colour of style.css: "--ink". */
+  /** A colour of style.css, such as "--ink", as the scheme in force makes it. */
   colour(name) {
-    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    this.#probe.style.color = `var(${name})`;
+    return getComputedStyle(this.#probe).color;
   }
 
   signal(index) {

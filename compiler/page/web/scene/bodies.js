@@ -1,7 +1,7 @@
 // Points as balls, rods between them, what they hang from, and the spheres that they are kept on.
 import {
-  BoxGeometry, Color, CylinderGeometry, DoubleSide, DynamicDrawUsage, Group, InstancedMesh, Matrix4,
-  Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, RingGeometry, SphereGeometry, Vector3,
+  BackSide, BoxGeometry, Color, CylinderGeometry, DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh,
+  MeshBasicMaterial, MeshStandardMaterial, Quaternion, RingGeometry, SphereGeometry, Vector3,
 } from "three";
 
 const ballOfScene = 0.034; // radius of a ball, by that of the scene
@@ -34,9 +34,10 @@ export class Bodies {
     this.bars = this.#instances(rod, extent.flat, this.rods.length);
     this.pins = this.#pins(extent);
     this.spheres = result.scene.spheres.map((sphere) => this.#sphere(sphere, extent.flat));
+    // Only its far side: it stands around the ball, not before it.
     this.halo = new Mesh(
       new SphereGeometry(1.5 * this.radius, 32, 20),
-      new MeshBasicMaterial({ transparent: true, opacity: 0.3, depthWrite: false }),
+      new MeshBasicMaterial({ transparent: true, opacity: 0.3, depthWrite: false, side: BackSide }),
     );
     this.halo.visible = false;
     this.group.add(this.halo);
@@ -77,7 +78,7 @@ export class Bodies {
     const geometry = flat
       ? new RingGeometry(radius - 0.1 * this.radius, radius + 0.1 * this.radius, 128)
       : new SphereGeometry(radius, 64, 40);
-    const glass = { transparent: true, opacity: flat ? 0.6 : 0.13, depthWrite: false, side: flat ? DoubleSide : 0 };
+    const glass = { transparent: true, opacity: flat ? 0.6 : 0.13, depthWrite: false };
     const mesh = new Mesh(geometry, material(flat, glass));
     mesh.position.set(...centre);
     this.group.add(mesh);

@@ -15,10 +15,10 @@ export function label(text, kind) {
   return new CSS2DObject(element);
 }
 
-function segments(points, variable) {
+function segments(points, colour) {
   const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3));
   const lines = new LineSegments(geometry, new LineBasicMaterial());
-  lines.variable = variable;
+  lines.colour = colour;
   return lines;
 }
 
@@ -28,13 +28,17 @@ export class Ground {
     this.group = new Group();
     this.spacing = extent.spacing(extent.flat ? squaresInPlane : squaresInSpace);
     this.lines = [];
-    if (extent.flat) this.#addPaper(dimension);
-    else this.#addFloor();
-    this.#addAxes(dimension);
+    if (extent.flat) {
+      this.#addPaper(dimension);
+      this.#addPaperAxes(dimension);
+    } else {
+      this.#addFloor();
+      this.#addSpaceAxes();
+    }
   }
 
   /** A square grid of `reach` squares to each side of (x, y), in multiples of the spacing; z = 0. */
-  #grid(x, y, reach, variable) {
+  #grid(x, y, reach) {
     const step = this.spacing;
     const [left, low] = [Math.round(x / step) - reach, Math.round(y / step) - reach];
     const points = [];
@@ -42,7 +46,7 @@ export class Ground {
       points.push((left + i) * step, low * step, 0, (left + i) * step, (low + 2 * reach) * step, 0);
       points.push(left * step, (low + i) * step, 0, (left + 2 * reach) * step, (low + i) * step, 0);
     }
-    return this.#add(segments(points, variable));
+    return this.#add(segments(points, "--grid-line"));
   }
 
   #add(lines) {
@@ -57,7 +61,7 @@ export class Ground {
     floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), extent.up);
     const middle = extent.middle.clone().applyQuaternion(floor.quaternion.clone().invert());
     const reach = Math.ceil((1.5 * extent.radius) / this.spacing);
-    floor.add(this.#grid(middle.x, middle.y, reach, "--grid-line"));
+    floor.add(this.#grid(middle.x, middle.y, reach));
     this.shadow = new Mesh(new PlaneGeometry(8 * extent.radius, 8 * extent.radius), new ShadowMaterial());
     this.shadow.position.set(middle.x, middle.y, 0);
     this.shadow.receiveShadow = true;
@@ -70,13 +74,13 @@ export class Ground {
   #addPaper(dimension) {
     const { extent, spacing } = this;
     const reach = Math.ceil((4 * extent.radius) / spacing);
-    const paper = this.#grid(extent.middle.x, extent.middle.y, reach, "--grid-line");
+    const paper = this.#grid(extent.middle.x, extent.middle.y, reach);
     paper.position.z = -extent.radius;
     this.group.add(paper);
     for (let axis = 0; axis < dimension; ++axis) {
       const first = Math.round(extent.middle.getComponent(axis) / spacing) - reach;
       for (let mark = first; mark <= first + 2 * reach; ++mark) {
-        if (mark !== 0) this.#addMark(axis, mark * spacing);
+        if (mark !== 0 || dimension === 1) this.#addMark(axis, mark * spacing);
       }
     }
   }
@@ -87,31 +91,38 @@ export class Ground {
     this.group.add(mark);
   }
 
-  /** From the origin where that is in the scene, else from its corner; in the plane through the whole paper. */
-  #addAxes(dimension) {
-    const { extent } = this;
-    const near = extent.middle.length() < 2.5 * extent.radius;
-    const origin = near || extent.flat ? new Vector3() : extent.low;
-    for (let axis = 0; axis < Math.max(dimension, extent.flat ? 1 : 3); ++axis) {
-      const length = (extent.flat ? 5 : axisOfScene) * extent.radius + (extent.flat ? extent.middle.length() : 0);
-      const tip = origin.clone().setComponent(axis, origin.getComponent(axis) + length);
-      const tail = extent.flat ? tip.clone().negate() : origin;
-      this.group.add(this.#add(segments([...tail.toArray(), ...tip.toArray()], extent.flat ? "--axis" : axis)));
-      const name = label("xyz"[axis], "axis");
-      const end = extent.flat ? this.#visibleEnd(axis) : tip.clone().lerp(origin, -0.08);
-      name.position.copy(end);
-      this.group.add(name);
+  /** Through the whole paper and under what moves, named at the edge of the first view. */
+  #addPaperAxes(dimension) {
+    const { middle, radius } = this.extent;
+    for (let axis = 0; axis < dimension; ++axis) {
+      const tip = new Vector3().setComponent(axis, middle.length() + 5 * radius);
+      const name = new Vector3().setComponent(axis, middle.getComponent(axis) + 1.12 * radius);
+      this.#addAxis(axis, tip.clone().negate(), tip, name, "--axis").position.z = -radius / 2;
     }
   }
 
-  #visibleEnd(axis) {
-    const { extent } = this;
-    return new Vector3().setComponent(axis, extent.middle.getComponent(axis) + 1.12 * extent.radius);
+  /** From the origin where that is near the scene, else from the scene's corner. */
+  #addSpaceAxes() {
+    const { middle, radius, low } = this.extent;
+    const origin = middle.length() < 2.5 * radius ? new Vector3() : low;
+    for (let axis = 0; axis < 3; ++axis) {
+      const tip = origin.clone().setComponent(axis, origin.getComponent(axis) + axisOfScene * radius);
+      this.#addAxis(axis, origin, tip, tip.clone().lerp(origin, -0.08), axis);
+    }
+  }
+
+  /** `colour` is a variable of style.css, or the number of a signal's colour. */
+  #addAxis(axis, tail, tip, nameAt, colour) {
+    const name = label("xyz"[axis], "axis");
+    name.position.copy(nameAt);
+    const line = this.#add(segments([...tail.toArray(), ...tip.toArray()], colour));
+    this.group.add(line, name);
+    return line;
   }
 
   paint(theme) {
-    for (const { material, variable } of this.lines) {
-      material.color.set(typeof variable === "number" ? theme.signal(variable) : theme.colour(variable));
+    for (const { material, colour } of this.lines) {
+      material.color.set(typeof colour === "number" ? theme.signal(colour) : theme.colour(colour));
     }
     if (this.shadow) this.shadow.material.opacity = theme.scheme === "dark" ? 0.45 : 0.16;
   }

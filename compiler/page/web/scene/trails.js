@@ -4,9 +4,9 @@ import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 
-const pieces = 160; // of a whole trail, shared by all points of a crowd
-const piecesAtLeast = 24;
-const crowd = 12;
+const piecesOfAll = 3000; // shared by the points
+const mostPieces = 600;
+const fewestPieces = 24;
 const recent = 0.12; // of the whole motion
 
 /** Trails to choose from, with the part of the motion that they show. */
@@ -17,7 +17,7 @@ export class Trails {
 
   constructor(motion, clock) {
     Object.assign(this, { motion, clock, group: new Group(), length: recent });
-    this.pieces = Math.max(piecesAtLeast, Math.round(pieces * Math.min(1, crowd / motion.count)));
+    this.pieces = Math.min(Math.max(Math.round(piecesOfAll / motion.count), fewestPieces), mostPieces);
     this.lines = Array.from({ length: motion.count }, () => this.#addLine());
   }
 

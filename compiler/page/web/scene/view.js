@@ -90,7 +90,8 @@ export class View {
   /** The view that the page starts with. */
   lookFromStart() {
     const { extent, camera } = this;
-    const distance = (margin * extent.radius) / Math.sin((fieldOfView / 2) * (Math.PI / 180)) / Math.min(1, this.aspect);
+    const spread = Math.sin(((fieldOfView / 2) * Math.PI) / 180) * Math.min(1, this.aspect);
+    const distance = (margin * extent.radius) / spread;
     camera.up.copy(extent.flat ? new Vector3(0, 1, 0) : extent.up);
     camera.zoom = 1;
     camera.position.copy(extent.middle);
@@ -206,5 +207,14 @@ export class View {
   drawnPositions() {
     const { array } = this.bodies.balls.instanceMatrix;
     return this.result.scene.points.map((point, index) => Array.from(array.slice(16 * index + 12, 16 * index + 15)));
+  }
+
+  /** The same in pixels of the window. */
+  screenPositions() {
+    const box = this.renderer.domElement.getBoundingClientRect();
+    return this.drawnPositions().map((place) => {
+      const { x, y } = new Vector3(...place).project(this.camera);
+      return [box.left + ((1 + x) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
+    });
   }
 }
