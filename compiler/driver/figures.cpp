@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -71,12 +74,23 @@ const Form* form_of(const std::string& path) {
   return found == forms.end() ? nullptr : &*found;
 }
 
+/// Places in a text are counted in 32 bits.
+bool is_too_large(const std::string& path) {
+  std::error_code failure;
+  const std::uintmax_t size = std::filesystem::file_size(path, failure);
+  return !failure && size > std::numeric_limits<std::uint32_t>::max();
+}
+
 /// Nothing, with a message, if one of them is no result.
 std::optional<Tables> read_results(const std::vector<std::string>& paths) {
   Sources sources;
   Diagnostics diagnostics;
   Tables results;
   for (const std::string& path : paths) {
+    if (is_too_large(path)) {
+      refuse(fmt::format("`{}` is larger than four gigabytes: `--every` records fewer rows", path));
+      return std::nullopt;
+    }
     std::optional<std::string> text = read_file(path);
     if (!text) {
       refuse(fmt::format("cannot read `{}`", path));

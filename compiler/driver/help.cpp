@@ -93,7 +93,8 @@ Errors and energy are drawn from columns that `--residuals` records. `--plot` ad
 if there is one, else a recording that does not stay. A run that fails or is interrupted is drawn as far as it came.
 
 Of several results, at most five, each has a dash pattern, and the first lies broad and pale under the others. What does
-not move is drawn as a level line, rounding errors and all; long results are thinned so that every peak stays.
+not move is drawn as a level line, rounding errors and all. Long results are thinned so that every peak stays; the rows
+of short ones are joined by monotone splines, which go through every row and never beyond two neighbours.
 )";
 
 constexpr std::string_view dialog = R"(Asking for a model: mbcc dialog [MODEL.mbd] [-o OUT.mbd] [--force]

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <mbrt/dop853.hpp>
 #include <mbrt/simulation.hpp>
 
@@ -28,32 +29,25 @@ std::vector<char*> as_argv(std::vector<std::string>& words) {
   return argv;
 }
 
-/// The recording that a figure is drawn from: the user's, or one that does not stay.
-class Recording {
- public:
-  Recording(const std::string& figure, const std::vector<std::string>& flags) : temporary_(figure, "csv") {
-    constexpr std::string_view flag = "--csv";
-    for (std::size_t i = 0; i < flags.size(); ++i) {
-      if (flags[i] == flag && i + 1 < flags.size()) {
-        path_ = flags[i + 1];
-      } else if (flags[i].starts_with(flag) && flags[i].size() > flag.size() && flags[i][flag.size()] == '=') {
-        path_ = flags[i].substr(flag.size() + 1);
-      }
+/// The file of `--csv` among the flags of a simulation; empty if there is none.
+std::string recording_in(const std::vector<std::string>& flags) {
+  constexpr std::string_view flag = "--csv", with_value = "--csv=";
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (flags[i] == flag && i + 1 < flags.size()) {
+      return flags[i + 1];
+    }
+    if (flags[i].starts_with(with_value)) {
+      return flags[i].substr(with_value.size());
     }
   }
+  return {};
+}
 
-  const std::string& path() const { return path_.empty() ? temporary_.path() : path_; }
-
-  /// The flags that the simulation needs besides the user's.
-  std::vector<std::string> flags() const {
-    return path_.empty() ? std::vector<std::string>{"--residuals", "--csv", temporary_.path()}
-                         : std::vector<std::string>{"--residuals"};
-  }
-
- private:
-  TemporaryFile temporary_;
-  std::string path_;
-};
+/// Whether what is written there can be read again.
+bool stays(const std::string& path) {
+  std::error_code ignored;
+  return path != "-" && (!std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored));
+}
 
 /// Runs the simulation, in place of mbcc unless `returns`; the exit code.
 int simulate(const Compilation& compilation, const ModelArguments& arguments, const std::string& cxx_flags,
@@ -86,10 +80,32 @@ int simulate(const Compilation& compilation, const ModelArguments& arguments, co
   return refuse(fmt::format("cannot execute `{}`", built.program));
 }
 
-/// Whether there is anything to draw, be it only the part until the simulation failed.
 bool has_rows(const std::string& recording) {
-  const std::optional<std::string> text = read_file(recording);
-  return text && std::count(text->begin(), text->end(), '\n') > 1;
+  std::ifstream file(recording);
+  std::string line;
+  return std::getline(file, line) && std::getline(file, line);
+}
+
+/// Runs the simulation and draws what it has recorded, be it only the part until it failed: the user's own recording,
+/// or one that does not stay.
+int simulate_and_draw(const Compilation& compilation, const ModelArguments& arguments, const std::string& cxx_flags,
+                      std::vector<std::string> flags, const std::string& figure) {
+  const TemporaryFile temporary(figure, "csv");
+  std::string recording = recording_in(flags);
+  if (!stays(recording)) {
+    return refuse(fmt::format("`--plot` draws what `--csv` records, and `{}` is no file", recording));
+  }
+  if (recording.empty()) {
+    recording = temporary.path();
+    flags.insert(flags.end(), {"--csv", recording});
+  }
+  flags.emplace_back("--residuals");
+  const int code = simulate(compilation, arguments, cxx_flags, flags, true);
+  if (!has_rows(recording)) {
+    return code;
+  }
+  const int drawn = draw_figure({recording}, subject_of_run(compilation, arguments.model, flags), figure);
+  return code == exit_fine ? drawn : code;
 }
 
 }  // namespace
@@ -106,20 +122,8 @@ int run_command(const ModelArguments& arguments, const std::string& cxx_flags, c
   if (!compilation->succeeded(arguments.werror)) {
     return exit_wrong_model;
   }
-  if (plot.empty()) {
-    return simulate(*compilation, arguments, cxx_flags, flags, false);
-  }
-  const Recording recording(plot, flags);
-  std::vector<std::string> all_flags = flags;
-  for (const std::string& flag : recording.flags()) {
-    all_flags.push_back(flag);
-  }
-  const int code = simulate(*compilation, arguments, cxx_flags, all_flags, true);
-  if (!has_rows(recording.path())) {
-    return code;
-  }
-  const int drawn = draw_figure({recording.path()}, subject_of_run(*compilation, arguments.model, flags), plot);
-  return code == exit_fine ? drawn : code;
+  return plot.empty() ? simulate(*compilation, arguments, cxx_flags, flags, false)
+                      : simulate_and_draw(*compilation, arguments, cxx_flags, flags, plot);
 }
 
 }  // namespace mbcc

@@ -39,9 +39,23 @@ Axis logarithmic_axis(std::span<const std::vector<double>> curves) {
   return {std::pow(10, bottom), std::pow(10, top), true};
 }
 
-Axis around(double value) {
-  const double reach = value == 0 ? 1 : std::abs(value) / 2;
-  return {value - reach, value + reach};
+/// 1, 2 or 5 times a power of ten, at least `step`.
+double round_up(double step) {
+  const double power = std::pow(10, std::floor(std::log10(step)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= step) {
+      return factor * power;
+    }
+  }
+  return 10 * power;
+}
+
+Axis linear_axis(double low, double high) {
+  constexpr double most_marks = 8;
+  const double tick = round_up((high - low) / most_marks);
+  const auto exponent = [](double value) { return static_cast<int>(std::floor(std::log10(value))); };
+  const int digits = exponent(std::max(std::abs(low), std::abs(high))) - exponent(tick) + 1;
+  return {low, high, false, tick, std::clamp(digits, 6, 9)};
 }
 
 }  // namespace
@@ -72,10 +86,11 @@ Axis axis_of(std::span<const std::vector<double>> curves, Measure measure, doubl
   }
   const double span = high - low;
   if (span == 0 || (quiet && span < 1e-6 * largest)) {
-    return around(low + span / 2);
+    const double level = low + span / 2;
+    return linear_axis(level - largest / 2, level + largest / 2);
   }
   const double margin = 0.06 * span;
-  return {low - margin, high + margin, false, std::clamp(static_cast<int>(std::log10(largest / span)) + 3, 6, 9)};
+  return linear_axis(low - margin, high + margin);
 }
 
 }  // namespace mbcc::figure

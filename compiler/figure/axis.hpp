@@ -12,7 +12,8 @@ struct Axis {
   double low = -1;
   double high = 1;
   bool logarithmic = false;
-  int digits = 6;  ///< significant ones that tell its ends apart
+  double tick = 0.5;  ///< from mark to mark on a linear axis
+  int digits = 6;     ///< significant ones that tell marks apart
 };
 
 /// The axis of curves that stand in one panel. `extent` is the largest magnitude of what is shown beside them: Note

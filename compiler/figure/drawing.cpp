@@ -1,6 +1,7 @@
 #include "figure/drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
@@ -8,10 +9,17 @@ namespace mbcc::figure {
 
 namespace {
 
+constexpr std::size_t stretches = 400;  // of points from left to right, a panel has little more
+
+/// Note [few rows].
+bool is_smooth(const std::vector<double>& values, Measure measure) {
+  return measure != Measure::Magnitude && values.size() > 2 && values.size() <= stretches &&
+         std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
 /// Rows that show all of a curve: of each stretch the first, the last, the lowest and the highest; of magnitudes the
 /// highest alone.
 std::vector<std::size_t> visible_rows(const std::vector<double>& values, Measure measure) {
-  constexpr std::size_t stretches = 400;  // of points from left to right, a panel has little more
   const bool all_sides = measure != Measure::Magnitude;
   std::vector<std::size_t> rows;
   if (values.size() <= stretches * (all_sides ? 4 : 1)) {
@@ -78,8 +86,12 @@ class Pen {
         std::vector<double> values = samples(results_[result], panel.measure, panel.curves[curve]);
         if (!values.empty()) {
           const std::vector<std::size_t> rows = visible_rows(values, panel.measure);
-          drawn.lines.push_back(
-              {pick(results_[result].time(), rows), pick(values, rows), colour(panel, curve), result, {}});
+          drawn.lines.push_back({pick(results_[result].time(), rows),
+                                 pick(values, rows),
+                                 colour(panel, curve),
+                                 result,
+                                 is_smooth(values, panel.measure),
+                                 {}});
           largest = largest_magnitude(values, largest);
           all.push_back(std::move(values));
         }

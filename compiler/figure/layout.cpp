@@ -10,7 +10,7 @@ namespace {
 constexpr double panel_width = 360, panel_height = 130;
 constexpr double left_margin = 66, right_margin = 24;
 constexpr double title_height = 34, label_height = 22, legend_row_height = 14, axis_height = 44;
-constexpr double letter_width = 6.5, sample_width = 36;
+constexpr double letter_width = 6.3, sample_width = 36;
 constexpr double figure_width = left_margin + panel_width + right_margin;
 
 double header_height(const DrawnPanel& panel) {
@@ -85,13 +85,13 @@ Legend legend_of(const DrawnPanel& panel) {
   }
   const double width = static_cast<double>(longest) * letter_width + sample_width;
   const double beside_label = panel_width - static_cast<double>(panel.label.size()) * letter_width;
-  const auto fitting = [width](double space) { return static_cast<std::size_t>(space / width); };
+  const auto fitting = [width](double space) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(space / width));
+  };
   const auto rows = [entries](std::size_t columns) { return (entries + columns - 1) / columns; };
-  if (const std::size_t columns = fitting(beside_label); columns > 0) {
-    return {columns, rows(columns) - 1};
-  }
-  const std::size_t columns = std::max<std::size_t>(1, fitting(panel_width));
-  return {columns, rows(columns)};
+  const Legend beside{fitting(beside_label), rows(fitting(beside_label)) - 1};
+  const Legend below{fitting(panel_width), rows(fitting(panel_width))};
+  return width <= beside_label && beside.rows <= below.rows ? beside : below;
 }
 
 Page single_page(std::span<const DrawnFigure> figures, std::span<const std::string> results) {

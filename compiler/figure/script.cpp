@@ -39,21 +39,25 @@ std::string data_block(const std::string& name, const Line& line) {
   return text + "EOD\n";
 }
 
+std::string scale(const Axis& axis) {
+  const std::string range = fmt::format("set yrange [{:.9g}:{:.9g}]", axis.low, axis.high);
+  return axis.logarithmic ? range + "; set logscale y; set format y '10^{%T}'; set ytics autofreq"
+                          : range + fmt::format("; unset logscale y; set format y '%.{}g'; set ytics {:.9g}",
+                                                axis.digits, axis.tick);
+}
+
 /// Where a panel stands, and what is around it.
 std::string frame(const DrawnPanel& panel, const Page& page, const Box& box, bool lowest) {
   const Legend legend = legend_of(panel);
-  const Axis& axis = panel.axis;
   return fmt::format(
       "set lmargin at screen {:.5f}; set rmargin at screen {:.5f}\n"
       "set tmargin at screen {:.5f}; set bmargin at screen {:.5f}\n"
       "set label 1 {} noenhanced at graph 0, graph 1 offset character 0, {:.2f} textcolor rgb '#444444'\n"
       "set key at graph 1, graph 1 right bottom maxcols {}\n"
-      "{} logscale y; set format y {}; set yrange [{:.9g}:{:.9g}]\n"
+      "{}\n"
       "{}\n",
       box.left / page.width, box.right / page.width, 1 - box.top / page.height, 1 - box.bottom / page.height,
-      quoted(panel.label), 0.5 + 0.95 * static_cast<double>(legend.rows), legend.columns,
-      axis.logarithmic ? "set" : "unset", axis.logarithmic ? "'10^{%T}'" : fmt::format("'%.{}h'", axis.digits),
-      axis.low, axis.high,
+      quoted(panel.label), 0.5 + 0.95 * static_cast<double>(legend.rows), legend.columns, scale(panel.axis),
       lowest ? "set format x '%g'; set xlabel 't' offset 0, 0.5" : "set format x ''; unset xlabel");
 }
 
@@ -64,7 +68,8 @@ std::string plot(const DrawnPanel& panel, bool several, std::size_t block) {
   for (const Line& line : panel.lines) {
     const std::size_t type = line.colour % line_colours + 1;
     const std::string title = line.title.empty() ? "notitle" : "title " + quoted(line.title);
-    parts.push_back(fmt::format("$data_{} with lines linetype {} dashtype {}{} {}", ++block,
+    parts.push_back(fmt::format("$data_{} {}with lines linetype {} dashtype {}{} {}", ++block,
+                                line.smooth ? "smooth mcsplines " : "",
                                 several && line.result == 0 ? type + pale : type, line.result + 1,
                                 panel.axis.logarithmic ? " linewidth 1" : "", several ? "notitle" : title));
     if (several && !line.title.empty()) {

@@ -135,6 +135,10 @@ TEST_CASE("a figure that cannot be is refused") {
         "mbcc: error: cannot read `" + shop.path("none.csv") + "`\n");
   const std::string empty = shop.write("empty.csv", "t,x1\n");
   CHECK(refusal({"plot", csv, empty, "-o", figure}) == empty + ":2:1: error: the result has no rows\n\n^\n");
+  const std::string huge = shop.write("huge.csv", "t,x1\n");
+  std::filesystem::resize_file(huge, std::uintmax_t{1} << 32);  // takes no space: it is a hole
+  CHECK(refusal({"plot", huge, "-o", figure}) ==
+        "mbcc: error: `" + huge + "` is larger than four gigabytes: `--every` records fewer rows\n");
   const std::string time = shop.write("time.csv", "t\n0\n");
   CHECK(refusal({"plot", time, "-o", figure}) ==
         "mbcc: error: there is nothing to draw: `" + time + "` holds the time alone\n");
@@ -143,7 +147,7 @@ TEST_CASE("a figure that cannot be is refused") {
   const Variable path("PATH", path_with_gnuplot(shop, "#!/bin/sh\n"));
   CHECK(refusal({"plot", csv, "-o", shop.path("no/such/figure.svg")}) ==
         "mbcc: error: cannot write `" + shop.path("no/such/figure.svg") + "`\n");
-  CHECK(files(shop) == std::vector<std::string>{"empty.csv", "result.csv", "time.csv"});
+  CHECK(files(shop) == std::vector<std::string>{"empty.csv", "huge.csv", "result.csv", "time.csv"});
 }
 
 TEST_CASE("a run with --plot draws errors and energy too, and leaves nothing but the figure") {
@@ -173,6 +177,15 @@ TEST_CASE("a compiled run is drawn as well, from the user's own recording if the
     CHECK(contains(shop.read("figure.gp"), "energy drift"));
     CHECK(files(shop) == std::vector<std::string>{"figure.gp", "own.csv", "pendulum.mbd"});
     std::filesystem::remove(shop.path("figure.gp"));
+  }
+}
+
+TEST_CASE("a recording that is no file cannot be drawn") {
+  const Workshop shop;
+  const std::string model = shop.write("pendulum.mbd", pendulum);
+  for (const std::string place : {"-", "/dev/null"}) {
+    CHECK(refusal({"run", model, "--plot", shop.path("figure.gp"), "--csv", place}) ==
+          "mbcc: error: `--plot` draws what `--csv` records, and `" + place + "` is no file\n");
   }
 }
 

@@ -46,9 +46,16 @@ TEST_CASE("what does not move is a level line") {
   CHECK(ends(values_axis({{1e-9, -1e-9}}, 1)) == "-1.12e-09 1.12e-09");
 }
 
+TEST_CASE("an axis has few marks, at round numbers") {
+  CHECK(values_axis({{0, 1}}).tick == 0.2);
+  CHECK(values_axis({{-3, 3}}).tick == 1);
+  CHECK(values_axis({{0, 2.5}}).tick == 0.5);
+  CHECK(values_axis({{0, 8.5e-12}}).tick == Approx(2e-12).epsilon(1e-15));
+}
+
 TEST_CASE("an axis has the digits that its ends need") {
   CHECK(values_axis({{1, 2}}).digits == 6);
-  CHECK(values_axis({{1000, 1000.01}}).digits == 8);
+  CHECK(values_axis({{1000, 1000.01}}).digits == 7);
 }
 
 TEST_CASE("a logarithmic axis has whole decades, without the zeros that a curve goes through") {
@@ -75,6 +82,19 @@ TEST_CASE("of many rows as many are left as a picture shows, peaks among them") 
 TEST_CASE("of few rows all are left") {
   const std::vector<Table> results = {peaked(1000)};
   CHECK(draw(lone, results).panels[0].lines[0].values == results[0].columns[1]);
+}
+
+TEST_CASE("few rows are joined smoothly, but not errors, nor around a gap") {
+  const auto smooth = [](const std::string& text) {
+    const std::vector<Table> results = {table_of(text)};
+    return draw(figures_of(results).front(), results).panels[0].lines[0].smooth;
+  };
+  CHECK(smooth("t,x1\n0,1\n1,0\n2,1\n"));
+  CHECK_FALSE(smooth("t,x1\n0,1\n1,0\n"));
+  CHECK_FALSE(smooth("t,x1\n0,1\n1,nan\n2,1\n"));
+  CHECK_FALSE(smooth("t,rod.velocity_error\n0,1\n1,0\n2,1\n"));
+  const std::vector<Table> many = {peaked(401)};
+  CHECK_FALSE(draw(lone, many).panels[0].lines[0].smooth);
 }
 
 TEST_CASE("errors of a constraint have one colour in all panels, and those that are zero say so") {

@@ -1,5 +1,5 @@
 # Figures drawn by mbcc. `gnuplot THIS` writes them anew; gnuplot 5.4 or later.
-set terminal svg size 1350, 590 dynamic font 'Helvetica, Arial, sans-serif, 10' background 'white'
+set terminal svg size 1350, 562 dynamic font 'Helvetica, Arial, sans-serif, 10' background 'white'
 set output 'figure'
 
 # Colours of Okabe and Ito, which the colour-blind tell apart too; dash patterns for the results.
@@ -25,6 +25,7 @@ set dashtype 4 (9, 3, 1.5, 3)
 set dashtype 5 (14, 5)
 
 set encoding utf8
+set samples 1000
 set border 3 linewidth 0.7 linecolor rgb '#888888'
 set tics out nomirror scale 0.5 textcolor rgb '#444444'
 set grid linetype -1 linewidth 0.4 linecolor rgb '#dddddd'
@@ -231,92 +232,92 @@ EOD
 
 set multiplot
 
-set label 2 'particle 1' noenhanced at screen 0.04889, screen 0.97119 font ',13' textcolor rgb '#000000'
+set label 2 'particle 1' noenhanced at screen 0.04889, screen 0.96975 font ',13' textcolor rgb '#000000'
 set lmargin at screen 0.04889; set rmargin at screen 0.31556
-set tmargin at screen 0.90508; set bmargin at screen 0.68475
+set tmargin at screen 0.90036; set bmargin at screen 0.66904
 set label 1 'coordinates' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 5
-unset logscale y; set format y '%.6h'; set yrange [-1.05012759:1.11322565]
+set yrange [-1.05012759:1.11322565]; unset logscale y; set format y '%.6g'; set ytics 0.5
 set format x ''; unset xlabel
-plot $data_1 with lines linetype 1 dashtype 1 title 'x1', \
-     $data_2 with lines linetype 2 dashtype 1 title 'y1', \
-     $data_3 with lines linetype 3 dashtype 1 title 'z1'
+plot $data_1 smooth mcsplines with lines linetype 1 dashtype 1 title 'x1', \
+     $data_2 smooth mcsplines with lines linetype 2 dashtype 1 title 'y1', \
+     $data_3 smooth mcsplines with lines linetype 3 dashtype 1 title 'z1'
 unset label
 unset arrow
 set lmargin at screen 0.04889; set rmargin at screen 0.31556
-set tmargin at screen 0.64746; set bmargin at screen 0.42712
+set tmargin at screen 0.62989; set bmargin at screen 0.39858
 set label 1 'velocities' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 5
-unset logscale y; set format y '%.6h'; set yrange [-5.89246586:6.95465881]
+set yrange [-5.89246586:6.95465881]; unset logscale y; set format y '%.6g'; set ytics 2
 set format x ''; unset xlabel
-plot $data_4 with lines linetype 1 dashtype 1 title 'vx1', \
-     $data_5 with lines linetype 2 dashtype 1 title 'vy1', \
-     $data_6 with lines linetype 3 dashtype 1 title 'vz1'
+plot $data_4 smooth mcsplines with lines linetype 1 dashtype 1 title 'vx1', \
+     $data_5 smooth mcsplines with lines linetype 2 dashtype 1 title 'vy1', \
+     $data_6 smooth mcsplines with lines linetype 3 dashtype 1 title 'vz1'
 unset label
 unset arrow
 set lmargin at screen 0.04889; set rmargin at screen 0.31556
-set tmargin at screen 0.38983; set bmargin at screen 0.16949
+set tmargin at screen 0.35943; set bmargin at screen 0.12811
 set label 1 'accelerations' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
-set key at graph 1, graph 1 right bottom maxcols 4
-unset logscale y; set format y '%.6h'; set yrange [-64.9162616:52.2153235]
+set key at graph 1, graph 1 right bottom maxcols 5
+set yrange [-64.9162616:52.2153235]; unset logscale y; set format y '%.6g'; set ytics 20
 set format x '%g'; set xlabel 't' offset 0, 0.5
-plot $data_7 with lines linetype 1 dashtype 1 title 'ax1', \
-     $data_8 with lines linetype 2 dashtype 1 title 'ay1', \
-     $data_9 with lines linetype 3 dashtype 1 title 'az1'
+plot $data_7 smooth mcsplines with lines linetype 1 dashtype 1 title 'ax1', \
+     $data_8 smooth mcsplines with lines linetype 2 dashtype 1 title 'ay1', \
+     $data_9 smooth mcsplines with lines linetype 3 dashtype 1 title 'az1'
 unset label
 unset arrow
 
-set label 2 'particle 2' noenhanced at screen 0.38222, screen 0.97119 font ',13' textcolor rgb '#000000'
+set label 2 'particle 2' noenhanced at screen 0.38222, screen 0.96975 font ',13' textcolor rgb '#000000'
 set lmargin at screen 0.38222; set rmargin at screen 0.64889
-set tmargin at screen 0.90508; set bmargin at screen 0.68475
+set tmargin at screen 0.90036; set bmargin at screen 0.66904
 set label 1 'coordinates' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 5
-unset logscale y; set format y '%.6h'; set yrange [-0.915:2.165]
+set yrange [-0.915:2.165]; unset logscale y; set format y '%.6g'; set ytics 0.5
 set format x ''; unset xlabel
-plot $data_10 with lines linetype 1 dashtype 1 title 'x2', \
-     $data_11 with lines linetype 2 dashtype 1 title 'y2', \
-     $data_12 with lines linetype 3 dashtype 1 title 'z2'
+plot $data_10 smooth mcsplines with lines linetype 1 dashtype 1 title 'x2', \
+     $data_11 smooth mcsplines with lines linetype 2 dashtype 1 title 'y2', \
+     $data_12 smooth mcsplines with lines linetype 3 dashtype 1 title 'z2'
 unset label
 unset arrow
 set lmargin at screen 0.38222; set rmargin at screen 0.64889
-set tmargin at screen 0.64746; set bmargin at screen 0.42712
+set tmargin at screen 0.62989; set bmargin at screen 0.39858
 set label 1 'velocities' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 5
-unset logscale y; set format y '%.6h'; set yrange [-0.015:0.265]
+set yrange [-0.015:0.265]; unset logscale y; set format y '%.6g'; set ytics 0.05
 set format x ''; unset xlabel
-plot $data_13 with lines linetype 1 dashtype 1 title 'vx2', \
-     $data_14 with lines linetype 2 dashtype 1 title 'vy2', \
-     $data_15 with lines linetype 3 dashtype 1 title 'vz2'
+plot $data_13 smooth mcsplines with lines linetype 1 dashtype 1 title 'vx2', \
+     $data_14 smooth mcsplines with lines linetype 2 dashtype 1 title 'vy2', \
+     $data_15 smooth mcsplines with lines linetype 3 dashtype 1 title 'vz2'
 unset label
 unset arrow
 set lmargin at screen 0.38222; set rmargin at screen 0.64889
-set tmargin at screen 0.38983; set bmargin at screen 0.16949
+set tmargin at screen 0.35943; set bmargin at screen 0.12811
 set label 1 'accelerations' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
-set key at graph 1, graph 1 right bottom maxcols 4
-unset logscale y; set format y '%.6h'; set yrange [-1:1]
+set key at graph 1, graph 1 right bottom maxcols 5
+set yrange [-1:1]; unset logscale y; set format y '%.6g'; set ytics 0.5
 set format x '%g'; set xlabel 't' offset 0, 0.5
-plot $data_16 with lines linetype 1 dashtype 1 title 'ax2', \
-     $data_17 with lines linetype 2 dashtype 1 title 'ay2', \
-     $data_18 with lines linetype 3 dashtype 1 title 'az2'
+plot $data_16 smooth mcsplines with lines linetype 1 dashtype 1 title 'ax2', \
+     $data_17 smooth mcsplines with lines linetype 2 dashtype 1 title 'ay2', \
+     $data_18 smooth mcsplines with lines linetype 3 dashtype 1 title 'az2'
 unset label
 unset arrow
 
-set label 2 'constraint errors' noenhanced at screen 0.71556, screen 0.97119 font ',13' textcolor rgb '#000000'
+set label 2 'constraint errors' noenhanced at screen 0.71556, screen 0.96975 font ',13' textcolor rgb '#000000'
 set lmargin at screen 0.71556; set rmargin at screen 0.98222
-set tmargin at screen 0.90508; set bmargin at screen 0.68475
+set tmargin at screen 0.90036; set bmargin at screen 0.66904
 set label 1 'of position' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 3
-set logscale y; set format y '10^{%T}'; set yrange [1e-16:0.0001]
+set yrange [1e-16:0.0001]; set logscale y; set format y '10^{%T}'; set ytics autofreq
 set format x ''; unset xlabel
 plot $data_19 with lines linetype 1 dashtype 1 linewidth 1 title 'sphere', \
      $data_20 with lines linetype 2 dashtype 1 linewidth 1 title 'meridian'
 unset label
 unset arrow
 set lmargin at screen 0.71556; set rmargin at screen 0.98222
-set tmargin at screen 0.62373; set bmargin at screen 0.40339
+set tmargin at screen 0.60498; set bmargin at screen 0.37367
 set label 1 'of velocity' noenhanced at graph 0, graph 1 offset character 0, 1.45 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 2
-set logscale y; set format y '10^{%T}'; set yrange [1e-16:1e-05]
+set yrange [1e-16:1e-05]; set logscale y; set format y '10^{%T}'; set ytics autofreq
 set format x ''; unset xlabel
 plot $data_21 with lines linetype 1 dashtype 1 linewidth 1 title 'sphere', \
      $data_22 with lines linetype 2 dashtype 1 linewidth 1 title 'meridian', \
@@ -325,10 +326,10 @@ plot $data_21 with lines linetype 1 dashtype 1 linewidth 1 title 'sphere', \
 unset label
 unset arrow
 set lmargin at screen 0.71556; set rmargin at screen 0.98222
-set tmargin at screen 0.29492; set bmargin at screen 0.07458
-set label 1 'of acceleration' noenhanced at graph 0, graph 1 offset character 0, 3.35 textcolor rgb '#444444'
-set key at graph 1, graph 1 right bottom maxcols 1
-set logscale y; set format y '10^{%T}'; set yrange [1e-16:1e-13]
+set tmargin at screen 0.30961; set bmargin at screen 0.07829
+set label 1 'of acceleration' noenhanced at graph 0, graph 1 offset character 0, 1.45 textcolor rgb '#444444'
+set key at graph 1, graph 1 right bottom maxcols 2
+set yrange [1e-16:1e-13]; set logscale y; set format y '10^{%T}'; set ytics autofreq
 set format x '%g'; set xlabel 't' offset 0, 0.5
 plot $data_25 with lines linetype 1 dashtype 1 linewidth 1 title 'sphere', \
      $data_26 with lines linetype 2 dashtype 1 linewidth 1 title 'meridian', \

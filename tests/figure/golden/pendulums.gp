@@ -25,6 +25,7 @@ set dashtype 4 (9, 3, 1.5, 3)
 set dashtype 5 (14, 5)
 
 set encoding utf8
+set samples 1000
 set border 3 linewidth 0.7 linecolor rgb '#888888'
 set tics out nomirror scale 0.5 textcolor rgb '#444444'
 set grid linetype -1 linewidth 0.4 linecolor rgb '#dddddd'
@@ -92,15 +93,15 @@ EOD
 set multiplot
 set arrow 1 from screen 0.14667, screen 0.98022 to screen 0.19556, screen 0.98022 nohead linetype 17 dashtype 1
 set label 11 'long.csv' noenhanced at screen 0.19556, screen 0.98022 offset 0.6, 0
-set arrow 2 from screen 0.42222, screen 0.98022 to screen 0.47111, screen 0.98022 nohead linetype 7 dashtype 2
-set label 12 'it''s short.csv' noenhanced at screen 0.47111, screen 0.98022 offset 0.6, 0
+set arrow 2 from screen 0.41867, screen 0.98022 to screen 0.46756, screen 0.98022 nohead linetype 7 dashtype 2
+set label 12 'it''s short.csv' noenhanced at screen 0.46756, screen 0.98022 offset 0.6, 0
 
 set label 2 'bob' noenhanced at screen 0.14667, screen 0.92986 font ',13' textcolor rgb '#000000'
 set lmargin at screen 0.14667; set rmargin at screen 0.94667
 set tmargin at screen 0.85971; set bmargin at screen 0.62590
 set label 1 'coordinates' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 6
-unset logscale y; set format y '%.6h'; set yrange [-1.12:1.12]
+set yrange [-1.12:1.12]; unset logscale y; set format y '%.6g'; set ytics 0.5
 set format x ''; unset xlabel
 plot $data_1 with lines linetype 11 dashtype 1 notitle, \
      $data_2 with lines linetype 12 dashtype 1 notitle, \
@@ -114,7 +115,7 @@ set lmargin at screen 0.14667; set rmargin at screen 0.94667
 set tmargin at screen 0.58633; set bmargin at screen 0.35252
 set label 1 'velocities' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 6
-unset logscale y; set format y '%.6h'; set yrange [-4.24:0.24]
+set yrange [-4.24:0.24]; unset logscale y; set format y '%.6g'; set ytics 1
 set format x ''; unset xlabel
 plot $data_5 with lines linetype 11 dashtype 1 notitle, \
      $data_6 with lines linetype 12 dashtype 1 notitle, \
@@ -128,7 +129,7 @@ set lmargin at screen 0.14667; set rmargin at screen 0.94667
 set tmargin at screen 0.31295; set bmargin at screen 0.07914
 set label 1 'accelerations' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 5
-unset logscale y; set format y '%.6h'; set yrange [-11.5986:21.7886]
+set yrange [-11.5986:21.7886]; unset logscale y; set format y '%.6g'; set ytics 5
 set format x '%g'; set xlabel 't' offset 0, 0.5
 plot $data_9 with lines linetype 11 dashtype 1 notitle, \
      $data_10 with lines linetype 12 dashtype 1 notitle, \
@@ -142,15 +143,15 @@ unset multiplot
 set multiplot
 set arrow 1 from screen 0.14667, screen 0.98022 to screen 0.19556, screen 0.98022 nohead linetype 17 dashtype 1
 set label 11 'long.csv' noenhanced at screen 0.19556, screen 0.98022 offset 0.6, 0
-set arrow 2 from screen 0.42222, screen 0.98022 to screen 0.47111, screen 0.98022 nohead linetype 7 dashtype 2
-set label 12 'it''s short.csv' noenhanced at screen 0.47111, screen 0.98022 offset 0.6, 0
+set arrow 2 from screen 0.41867, screen 0.98022 to screen 0.46756, screen 0.98022 nohead linetype 7 dashtype 2
+set label 12 'it''s short.csv' noenhanced at screen 0.46756, screen 0.98022 offset 0.6, 0
 
 set label 2 'outputs' noenhanced at screen 0.14667, screen 0.92986 font ',13' textcolor rgb '#000000'
 set lmargin at screen 0.14667; set rmargin at screen 0.94667
 set tmargin at screen 0.85971; set bmargin at screen 0.62590
 set label 1 'angle' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 1
-unset logscale y; set format y '%.6h'; set yrange [-0.09:1.59]
+set yrange [-0.09:1.59]; unset logscale y; set format y '%.6g'; set ytics 0.5
 set format x ''; unset xlabel
 plot $data_13 with lines linetype 11 dashtype 1 notitle
 unset label
@@ -159,7 +160,7 @@ set lmargin at screen 0.14667; set rmargin at screen 0.94667
 set tmargin at screen 0.58633; set bmargin at screen 0.35252
 set label 1 'pull' noenhanced at graph 0, graph 1 offset character 0, 0.50 textcolor rgb '#444444'
 set key at graph 1, graph 1 right bottom maxcols 1
-unset logscale y; set format y '%.6h'; set yrange [-1.8:31.8]
+set yrange [-1.8:31.8]; unset logscale y; set format y '%.6g'; set ytics 5
 set format x '%g'; set xlabel 't' offset 0, 0.5
 plot $data_14 with lines linetype 1 dashtype 2 notitle
 unset label
