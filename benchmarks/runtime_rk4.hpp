@@ -1,24 +1,33 @@
 #pragma once
 // A system integrated by the runtime's own RK4.
 
-#include <algorithm>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "contender.hpp"
 #include "mbrt/rk4.hpp"
 
 namespace bench {
 
+/// Where a system keeps each component of the scene's state; empty: where the scene has it.
+using Places = std::vector<std::size_t>;
+
 template <mbrt::Dynamics System>
-Contender with_runtime_rk4(std::string name, std::shared_ptr<System> system) {
-  return {std::move(name), [system](std::span<double> state, double step, long steps) {
+Contender with_runtime_rk4(std::string name, std::shared_ptr<System> system, const Places& places = {}) {
+  return {std::move(name), [system, places](std::span<double> state, double step, long steps) {
+            const auto place = [&](std::size_t j) { return places.empty() ? j : places[j]; };
             typename System::State y;
-            std::copy(state.begin(), state.end(), y.begin());
+            for (std::size_t j = 0; j < state.size(); ++j) {
+              y[place(j)] = state[j];
+            }
             mbrt::Unobserved nobody;
             mbrt::rk4(*system, y, mbrt::TimeGrid{0, static_cast<double>(steps) * step, step, steps}, nobody);
-            std::copy(y.begin(), y.end(), state.begin());
+            for (std::size_t j = 0; j < state.size(); ++j) {
+              state[j] = y[place(j)];
+            }
             return 4 * steps + 1;
           }};
 }

@@ -13,7 +13,7 @@ namespace bench::emitted {
 
 struct Program {
   std::vector<double> start;  ///< the model's own
-  Contender contender;
+  Contender contender;        ///< both in order of declaration
 };
 
 /// Prepares a model as every program does that uses one: row scales are those at the start.
@@ -29,7 +29,12 @@ Program program() {
       mbrt::take_scales(model->island(k));
     }
   }
-  return {{start.begin(), start.end()}, with_runtime_rk4("emitted", model)};
+  const Places places(M::description().columns.begin(), M::description().columns.end());
+  Program program{{start.begin(), start.end()}, with_runtime_rk4("emitted", model, places)};
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    program.start[j] = start[places[j]];
+  }
+  return program;
 }
 
 /// The program of a model of this name; nothing where this build has no mbcc.

@@ -5,6 +5,7 @@
 #include "diagnostics/assert.hpp"
 #include "emit/emit.hpp"
 #include "graph/evaluate.hpp"
+#include "model/columns.hpp"
 
 namespace mbcc {
 
@@ -105,7 +106,8 @@ void InterpretedModel::describe(const model::System& system, const Sources& sour
                   force_entries_,
                   island_entries_,
                   program_.energy.sections.front().has_stores(),
-                  defaults};
+                  defaults,
+                  indices_.emplace_back(model::columns(system))};
 }
 
 void InterpretedModel::load(const State& y) {

@@ -5,6 +5,7 @@
 
 #include "emit/code.hpp"
 #include "emit/emit.hpp"
+#include "model/columns.hpp"
 
 namespace mbcc::cpp {
 
@@ -97,16 +98,20 @@ std::string write_description(const program::Program& program, const model::Syst
                   return fmt::format("{{{}, {}}}", quote(force.name), quote(sources.place(force.span)));
                 }));
   text += islands(program);
+  const std::vector<int> columns = model::columns(system);
+  if (!columns.empty()) {
+    text += table("int", "columns", texts(columns, [](int index) { return std::to_string(index); }));
+  }
   const model::Integration& integration = system.integration;
   const bool has_energy = program.energy.sections.front().has_stores();
   text += fmt::format(
       "static constexpr mbrt::Description description{{\n"
       "    {}, {}, coordinates, speeds, accelerations, outputs, parameters, constraints, forces, islands, {},\n"
-      "    {{{}, {}, {}, {}, {}, {}}}}};\n",
+      "    {{{}, {}, {}, {}, {}, {}}}{}}};\n",
       quote(system.name), quote(version), has_energy, number_or_not_given(integration.from),
       number_or_not_given(integration.to), number_or_not_given(integration.step),
       number_or_not_given(integration.tolerance), number_or_not_given(integration.every),
-      integration.method ? quote(*integration.method) : "nullptr");
+      integration.method ? quote(*integration.method) : "nullptr", columns.empty() ? "" : ", columns");
   return text;
 }
 

@@ -40,8 +40,23 @@ class Budget {
   bool exhausted_ = false;
 };
 
+// Note [storage order]: few particles keep their coordinates and speeds in order of declaration, each particle's side
+// by side. From `stored_by_axis` particles on, x of all of them comes first, then y, then z, so that loops over
+// particles run over numbers that follow each other (measured: a chain of 100 links, 12 % of a step). Columns of
+// results are in order of declaration in any case: System::declared_coordinates.
+
 struct Context {
   Context(const Sources& texts, Diagnostics& diagnostics) : sources(texts), report(diagnostics), budget(report) {}
+
+  static constexpr std::size_t stored_by_axis = 16;
+
+  /// Index of a particle's coordinate and speed along an axis: Note [storage order]. Known once all are declared.
+  std::uint32_t motion_index(const Particle& particle, std::size_t axis) const {
+    const std::size_t count = symbols.particles.size();
+    return static_cast<std::uint32_t>(count < stored_by_axis
+                                          ? particle.position * static_cast<std::size_t>(dimension) + axis
+                                          : axis * count + particle.position);
+  }
 
   const Sources& sources;
   Reporter report;

@@ -21,8 +21,7 @@ void SystemBuilder::add_force(std::string_view kind, const Particle& particle, s
     return;
   }
   const std::string where = context_.dimension == 1 ? "" : fmt::format(", {}", axis_names[axis]);
-  const auto dimension = static_cast<std::size_t>(context_.dimension);
-  const SpeedId speed{static_cast<std::uint32_t>(particle.position * dimension + axis)};
+  const SpeedId speed{context_.motion_index(particle, axis)};
   system_.forces.push_back(
       {fmt::format("{} on {}{}", kind, describe(particle), where), speed, context_.arena.node(value, span), span});
 }
@@ -43,11 +42,10 @@ void SystemBuilder::add(const ast::Gravity& gravity, const Instance& instance) {
   if (components.is_nothing() || context_.report.found_errors()) {
     return;  // a mass may be missing
   }
-  const auto dimension = static_cast<std::size_t>(context_.dimension);
   for (const Particle& particle : context_.symbols.particles) {
     for (std::size_t axis = 0; axis < components.size(); ++axis) {
       const Span span = component_span(gravity.value, axis);
-      const Scalar mass = context_.arena.scalar(system_.speeds[particle.position * dimension + axis].inertia);
+      const Scalar mass = context_.arena.scalar(system_.speeds[context_.motion_index(particle, axis)].inertia);
       const Value weight = evaluator_.algebra().multiply({mass, span}, {components[axis], span}, span, span);
       if (!weight.is_nothing()) {
         add_force("gravity", particle, axis, weight[0], span);

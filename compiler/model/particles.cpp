@@ -17,18 +17,23 @@ std::string column(const Particle& particle, std::string_view prefix, std::size_
 
 void SystemBuilder::add_particles() {
   std::vector<Fields> fields;
+  const std::size_t size = context_.symbols.particles.size() * static_cast<std::size_t>(context_.dimension);
+  system_.coordinates.resize(size);
+  system_.speeds.resize(size);
   for (const Particle& particle : context_.symbols.particles) {
     fields.push_back(fields_of("particle", particle.syntax->fields, {"mass", "position", "velocity", "force"}));
     Place& place = system_.places.emplace_back();
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(context_.dimension); ++axis) {
-      const SpeedId speed{static_cast<std::uint32_t>(system_.speeds.size())};
+      const std::uint32_t index = context_.motion_index(particle, axis);
       const Span span = particle.syntax->name.span;
       for (const std::string_view prefix : {"", "v", "a"}) {
         motion_columns_.insert(column(particle, prefix, axis));
       }
-      place.position.push_back(CoordinateId{static_cast<std::uint32_t>(system_.coordinates.size())});
-      system_.coordinates.push_back({column(particle, "", axis), speed, {}, span});
-      system_.speeds.push_back({column(particle, "v", axis), column(particle, "a", axis), {}, {}, span});
+      place.position.push_back(CoordinateId{index});
+      system_.coordinates[index] = {column(particle, "", axis), SpeedId{index}, {}, span};
+      system_.speeds[index] = {column(particle, "v", axis), column(particle, "a", axis), {}, {}, span};
+      system_.declared_coordinates.push_back(CoordinateId{index});
+      system_.declared_speeds.push_back(SpeedId{index});
     }
   }
   for (const Particle& particle : context_.symbols.particles) {
@@ -52,8 +57,8 @@ void SystemBuilder::add_motion(const Particle& particle, const Fields& fields) {
       field("velocity") ? start_of(particle, field("velocity"), "velocity") : expect_vector({0.0, {}}, "");
   const auto dimension = static_cast<std::size_t>(context_.dimension);
   for (std::size_t axis = 0; axis < dimension; ++axis) {
-    Coordinate& coordinate = system_.coordinates[particle.position * dimension + axis];
-    Speed& speed = system_.speeds[particle.position * dimension + axis];
+    Coordinate& coordinate = system_.coordinates[context_.motion_index(particle, axis)];
+    Speed& speed = system_.speeds[context_.motion_index(particle, axis)];
     speed.inertia = mass;
     if (!position.is_nothing()) {
       coordinate.span = component_span(field("position")->value, axis);

@@ -136,14 +136,13 @@ Value Evaluator::component(const Value& value, const std::string& name, const as
   return value[*axis];
 }
 
-/// Coordinates and speeds of the particles follow each other in order of declaration, axis by axis.
 Value Evaluator::motion(const Particle& particle, const Member& member, Span span) {
   const auto dimension = static_cast<std::size_t>(context_.dimension);
   const ExpressionKind kind = member.is_velocity ? ExpressionKind::Speed : ExpressionKind::Coordinate;
   Value value;
   for (std::size_t axis = 0; axis < dimension; ++axis) {
     if (!member.axis || axis == *member.axis) {
-      value.append(context_.arena.leaf(kind, static_cast<std::uint32_t>(particle.position * dimension + axis), span));
+      value.append(context_.arena.leaf(kind, context_.motion_index(particle, axis), span));
     }
   }
   return value;

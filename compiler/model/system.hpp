@@ -113,6 +113,8 @@ struct System {
   std::vector<Coordinate> coordinates;
   std::vector<Speed> speeds;
   std::vector<Place> places;
+  std::vector<CoordinateId> declared_coordinates;  ///< in order of declaration: Note [storage order]
+  std::vector<SpeedId> declared_speeds;
   std::vector<Parameter> parameters;
   std::vector<Force> forces;
   std::vector<Constraint> constraints;

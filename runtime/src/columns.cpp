@@ -1,5 +1,9 @@
 #include "columns.hpp"
 
+#include <numeric>
+
+#include "records.hpp"
+
 namespace mbrt {
 namespace {
 
@@ -17,13 +21,37 @@ void append_residual_names(std::vector<std::string>& names, const Description& m
   }
 }
 
+/// The speeds of declared_order().
+std::span<const std::size_t> speeds_of(std::span<const std::size_t> order, const Description& model) {
+  return order.subspan(model.coordinates.size());
+}
+
 }  // namespace
+
+std::vector<std::size_t> declared_order(const Description& model) {
+  std::vector<std::size_t> order(model.columns.begin(), model.columns.end());
+  if (order.empty()) {
+    order.resize(state_size(model));
+    std::iota(order.begin(), order.end(), std::size_t{0});
+  }
+  return order;
+}
+
+const char* state_name(const Description& model, std::size_t i) {
+  const std::size_t coordinates = model.coordinates.size();
+  return i < coordinates ? model.coordinates[i] : model.speeds[i - coordinates];
+}
 
 std::vector<std::string> column_names(const Description& model, bool residuals) {
   std::vector<std::string> names{"t"};
-  for (const auto group : {model.coordinates, model.speeds, model.accelerations, model.outputs}) {
-    names.insert(names.end(), group.begin(), group.end());
+  const std::vector<std::size_t> order = declared_order(model);
+  for (const std::size_t i : order) {
+    names.emplace_back(state_name(model, i));
   }
+  for (const std::size_t i : speeds_of(order, model)) {
+    names.emplace_back(model.accelerations[i - model.coordinates.size()]);
+  }
+  names.insert(names.end(), model.outputs.begin(), model.outputs.end());
   if (residuals) {
     append_residual_names(names, model);
   }
@@ -33,6 +61,7 @@ std::vector<std::string> column_names(const Description& model, bool residuals) 
 RowMaker::RowMaker(AnyModel& model, bool residuals)
     : model_(model),
       residuals_(residuals),
+      order_(declared_order(model.description())),
       outputs_(model.description().outputs.size()),
       position_(residuals ? model.description().constraints.size() : 0),
       velocity_(position_.size()),
@@ -40,10 +69,13 @@ RowMaker::RowMaker(AnyModel& model, bool residuals)
 
 std::span<const double> RowMaker::row(double time, std::span<const double> state, std::span<const double> rate) {
   model_.outputs(state, rate, outputs_);
-  const std::span<const double> accelerations = rate.subspan(model_.description().coordinates.size());
   row_.assign(1, time);
-  row_.insert(row_.end(), state.begin(), state.end());
-  row_.insert(row_.end(), accelerations.begin(), accelerations.end());
+  for (const std::size_t i : order_) {
+    row_.push_back(state[i]);
+  }
+  for (const std::size_t i : speeds_of(order_, model_.description())) {
+    row_.push_back(rate[i]);
+  }
   row_.insert(row_.end(), outputs_.begin(), outputs_.end());
   if (residuals_) {
     append_residuals(state, rate);

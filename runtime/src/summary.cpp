@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "columns.hpp"
 #include "methods.hpp"
 
 namespace mbrt {
@@ -14,11 +15,8 @@ using Json = nlohmann::ordered_json;  // writes what is not finite as null
 
 Json final_json(const Description& model, const Outcome& outcome) {
   Json values = {{"t", outcome.time}};
-  std::size_t i = 0;
-  for (const auto names : {model.coordinates, model.speeds}) {
-    for (const char* const name : names) {
-      values[name] = outcome.state[i++];
-    }
+  for (const std::size_t i : declared_order(model)) {
+    values[state_name(model, i)] = outcome.state[i];
   }
   return values;
 }

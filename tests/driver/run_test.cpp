@@ -1,5 +1,7 @@
 // `mbcc run`: the compiler it uses, the cache, and the interpreter.
 
+#include <fmt/format.h>
+
 #include "fixture.hpp"
 
 namespace mbcc::test {
@@ -80,6 +82,35 @@ TEST_CASE("a compiler that fails is a bug in mbcc, and says what it said") {
   const Outcome outcome = run_mbcc({"run", shop.write("pendulum.mbd", pendulum)});
   CHECK(outcome.exit_code == 70);
   CHECK(outcome.errors == "out of order\nmbcc: error: the emitted program did not build\n");
+}
+
+TEST_CASE("columns of many particles come in order of declaration, each with its own values") {
+  const Workshop shop;
+  const std::string model =
+      shop.write("many.mbd",
+                 "dimension 2\nfor i in 1..16 { particle p[i] { mass = 1; position = (i, 100 + i); velocity = (-i, 7*i)"
+                 "; force = (i/4, i/8) } }\nintegrate { from = 0; to = 0; step = 1; method = rk4 }\n");
+  std::string header = "t", row = "0";
+  const auto add = [&](const std::string& name, double x, double y) {
+    for (int i = 1; i <= 16; ++i) {
+      header += fmt::format(",p[{0}].{1}x,p[{0}].{1}y", i, name);
+      row += fmt::format(",{},{}", x * i, (name.empty() ? 100 : 0) + y * i);
+    }
+  };
+  add("", 1, 1);
+  add("v", -1, 7);
+  add("a", 0.25, 0.125);
+  for (const char* const compiler : {"c++", "/nonexistent/c++"}) {
+    const Variable chosen("CXX", compiler);
+    CHECK(run_mbcc({"run", model, "--quiet", "--cxxflags=-O0", "--csv", shop.path("rows.csv"), "--summary",
+                    shop.path("summary.json")})
+              .exit_code == 0);
+    CHECK(shop.read("rows.csv") == header + "\n" + row + "\n");
+    const std::string text = shop.read("summary.json");
+    CHECK(text.find("\"p[1].x\": 1.0") < text.find("\"p[1].y\": 101.0"));
+    CHECK(text.find("\"p[1].y\": 101.0") < text.find("\"p[2].x\": 2.0"));
+    CHECK(text.find("\"p[2].x\": 2.0") < text.find("\"p[16].vy\": 112.0"));
+  }
 }
 
 TEST_CASE("without a C++ compiler the interpreter gives the results of the compiled program, to the last digit") {

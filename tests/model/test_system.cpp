@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 
+#include "model/columns.hpp"
 #include "resolved.hpp"
 
 namespace mbcc {
@@ -68,6 +71,29 @@ TEST_CASE("coordinates come in order of declaration, and know their speeds") {
     names += coordinate.name + " " + speed.name + " " + speed.acceleration + "; ";
   }
   CHECK(names == "x2 vx2 ax2; y2 vy2 ay2; bob.x bob.vx bob.ax; bob.y bob.vy bob.ay; x1 vx1 ax1; y1 vy1 ay1; ");
+}
+
+TEST_CASE("many particles are stored axis by axis, and shown in order of declaration") {
+  const auto names_of = [](int particles) {
+    const model::System system =
+        system_of(fmt::format("dimension 2\nfor i in 1..{} {{ particle p[i] {{ mass = 1; position = (i, 0) }} }}\n"
+                              "force on p[3] = (0, p[2].vx)\n",
+                              particles));
+    CHECK(system[system.forces[0].speed].name == "p[3].vy");
+    std::string stored, declared;
+    for (const model::Coordinate& coordinate : system.coordinates) {
+      stored += coordinate.name + " " + system[coordinate.rate].name + "; ";
+    }
+    for (const model::CoordinateId id : system.declared_coordinates) {
+      declared += system[id].name + " ";
+    }
+    CHECK(model::columns(system).size() == (particles < 16 ? 0 : 4 * static_cast<std::size_t>(particles)));
+    return std::pair(stored, declared);
+  };
+  CHECK(names_of(15).first.find("p[1].x p[1].vx; p[1].y p[1].vy; p[2].x p[2].vx; ") == 0);
+  CHECK(names_of(16).first.find("p[1].x p[1].vx; p[2].x p[2].vx; p[3].x p[3].vx; ") == 0);
+  CHECK(names_of(15).second.find("p[1].x p[1].y p[2].x p[2].y ") == 0);
+  CHECK(names_of(16).second.find("p[1].x p[1].y p[2].x p[2].y ") == 0);
 }
 
 TEST_CASE("in dimension 1 positions, velocities, forces and gravity are plain numbers") {

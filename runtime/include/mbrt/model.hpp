@@ -62,6 +62,9 @@ struct Description {
   std::span<const IslandEntry> islands;
   bool has_energy;  ///< applied forces are constant or absent, so that kinetic and potential energy are known
   Defaults defaults;
+  /// Indices into the state, coordinates first, in order of declaration, which is that of columns of results. Empty
+  /// where the state has that order too.
+  std::span<const int> columns = {};
 };
 
 /// A mechanical system as functions of its state y = (coordinates, speeds), an indexable range of doubles.
