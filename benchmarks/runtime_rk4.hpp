@@ -1,6 +1,7 @@
 #pragma once
 // A system integrated by the runtime's own RK4.
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,19 +18,23 @@ using Places = std::vector<std::size_t>;
 
 template <mbrt::Dynamics System>
 Contender with_runtime_rk4(std::string name, std::shared_ptr<System> system, const Places& places = {}) {
-  return {std::move(name), [system, places](std::span<double> state, double step, long steps) {
-            const auto place = [&](std::size_t j) { return places.empty() ? j : places[j]; };
-            typename System::State y;
-            for (std::size_t j = 0; j < state.size(); ++j) {
-              y[place(j)] = state[j];
-            }
-            mbrt::Unobserved nobody;
-            mbrt::rk4(*system, y, mbrt::TimeGrid{0, static_cast<double>(steps) * step, step, steps}, nobody);
-            for (std::size_t j = 0; j < state.size(); ++j) {
-              state[j] = y[place(j)];
-            }
-            return 4 * steps + 1;
-          }};
+  return {
+      std::move(name), [system, places](std::span<double> state, double step, long steps) {
+        const auto place = [&](std::size_t j) { return places.empty() ? j : places[j]; };
+        std::vector<double> kept(state.size());  // the system's own state is not indexed by what is read at run time
+        for (std::size_t j = 0; j < state.size(); ++j) {
+          kept[place(j)] = state[j];
+        }
+        typename System::State y;
+        std::copy(kept.begin(), kept.end(), y.begin());
+        mbrt::Unobserved nobody;
+        mbrt::rk4(*system, y, mbrt::TimeGrid{0, static_cast<double>(steps) * step, step, steps}, nobody);
+        std::copy(y.begin(), y.end(), kept.begin());
+        for (std::size_t j = 0; j < state.size(); ++j) {
+          state[j] = kept[place(j)];
+        }
+        return 4 * steps + 1;
+      }};
 }
 
 }  // namespace bench

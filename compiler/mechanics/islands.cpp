@@ -42,6 +42,21 @@ std::vector<std::set<std::size_t>> pattern_of(const std::vector<Row>& all_rows, 
   return neighbours;
 }
 
+/// Rows between two others, no two of them neighbours, greedily in order; none where they are too few for a loop.
+std::vector<std::size_t> links_apart(const std::vector<std::set<std::size_t>>& neighbours) {
+  constexpr std::size_t few = 16;
+  std::vector<std::size_t> apart;
+  std::set<std::size_t> taken;
+  for (std::size_t k = 0; k < neighbours.size(); ++k) {
+    if (neighbours[k].size() == 2 && !taken.contains(*neighbours[k].begin()) &&
+        !taken.contains(*neighbours[k].rbegin())) {
+      taken.insert(k);
+      apart.push_back(k);
+    }
+  }
+  return apart.size() < few ? std::vector<std::size_t>() : apart;
+}
+
 }  // namespace
 
 std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speeds) {
@@ -91,10 +106,7 @@ std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, con
   }
   std::vector<std::size_t> touched(rows.size());  // when a neighbour was last eliminated
   std::vector<std::size_t> order;
-  while (!open.empty()) {
-    const std::size_t next = *std::min_element(open.begin(), open.end(), [&](std::size_t k, std::size_t l) {
-      return std::tuple(neighbours[k].size(), touched[k], k) < std::tuple(neighbours[l].size(), touched[l], l);
-    });
+  const auto eliminate = [&](std::size_t next) {
     open.erase(next);
     order.push_back(rows[next]);
     for (const std::size_t k : neighbours[next]) {
@@ -106,6 +118,14 @@ std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, con
         }
       }
     }
+  };
+  for (const std::size_t k : links_apart(neighbours)) {
+    eliminate(k);
+  }
+  while (!open.empty()) {
+    eliminate(*std::min_element(open.begin(), open.end(), [&](std::size_t k, std::size_t l) {
+      return std::tuple(neighbours[k].size(), touched[k], k) < std::tuple(neighbours[l].size(), touched[l], l);
+    }));
   }
   return order;
 }

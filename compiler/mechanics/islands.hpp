@@ -20,7 +20,9 @@ std::map<std::size_t, std::vector<std::size_t>> rows_by_speed(const std::vector<
 ///
 /// Among rows of equal degree the one goes first whose neighbours were eliminated longest ago: a chain is eaten from
 /// both ends at once, which halves the length of the dependent divisions (measured: 25 to 30 % of the time of a chain).
-/// A library's ordering minimises fill alone, and runs along the chain.
+/// A library's ordering minimises fill alone, and runs along the chain. In a long chain every second row goes before
+/// all others: these do not depend on each other, become one loop, and leave a chain of half the length (measured, 100
+/// links: 12 % of a step, though it takes half as many operations more).
 std::vector<std::size_t> elimination_order(const std::vector<Row>& all_rows, const std::vector<std::size_t>& rows);
 
 }  // namespace mbcc::mechanics
