@@ -124,15 +124,15 @@ TEST_CASE("bodies that act on each other by forces alone are no island") {
 }
 
 TEST_CASE("a chain is one island that fills in nothing, or half a chain where it is long") {
-  for (const int links : {2, 10, 33, 34, 50}) {
+  for (const int links : {2, 10, 32, 33, 50}) {
     const Derivatives derivatives = derivatives_of(test::chain(links));
     REQUIRE(derivatives.islands.size() == 1);
     const std::vector<std::size_t>& order = derivatives.islands[0].rows;
     const auto couplings = static_cast<std::size_t>(links - 1);
-    if (links < 34) {
+    if (links < 33) {
       CHECK(fill_of(derivatives.rows, order) == couplings);
     } else {  // rows 1, 3, 5 ... first: each joins its two neighbours
-      const auto apart = static_cast<std::size_t>(links / 2 - 1);
+      const auto apart = couplings / 2;
       for (std::size_t k = 0; k < apart; ++k) {
         CHECK(order[k] == 2 * k + 1);
       }
