@@ -19,10 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A value takes 10.7 characters. 160,000 of them and the libraries make 2.4 MB; and 4,000 rows are more than a screen
-// shows, even zoomed in ten times.
+// A value takes 10.7 characters: 160,000 of them and the libraries make 2.4 MB. More than 2,500 rows are no better to
+// look at: from four rows a pixel on, and a panel has some 700 pixels, the plots join them to bars, which looks ragged.
 constexpr std::size_t most_values = 160000;
-constexpr std::size_t most_rows = 4000;
+constexpr std::size_t most_rows = 2500;
 constexpr std::size_t fewest_rows = 250;
 
 /// What is drawn of a table: columns, each once, and the figures as indices into them.

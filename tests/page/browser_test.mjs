@@ -6,7 +6,7 @@
 // directory for pictures of each page, light and dark, to look at.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -50,7 +50,7 @@ async function open(browser, url, colorScheme = "light") {
     if (request.url() !== url && !request.url().startsWith("data:")) page.complaints.push(`asks for ${request.url()}`);
   });
   await page.goto(url);
-  await page.waitForFunction(() => globalThis.mbcc?.positions().flat().some((x) => x !== 0));
+  await page.waitForFunction(() => globalThis.mbcc !== undefined);
   return page;
 }
 
@@ -154,8 +154,10 @@ async function isOnScreen(page, colours) {
   const rods = await page.evaluate(() => globalThis.mbcc.result.scene.rods.filter((rod) => !rod.anchor));
   assert.ok(rods.length > 0);
   for (const { point, other } of rods) {
-    const middle = [0, 1].map((i) => (places[point][i] + places[other][i]) / 2);
-    await isColoured(middle, rodColour, `the rod from ${point} to ${other}`);
+    for (const part of [0.2, 0.8]) {
+      const place = [0, 1].map((i) => (1 - part) * places[point][i] + part * places[other][i]);
+      await isColoured(place, rodColour, `the rod from ${point} to ${other}`);
+    }
   }
   const [x, y] = places.at(-1);
   await page.mouse.click(x, y);
@@ -164,7 +166,8 @@ async function isOnScreen(page, colours) {
   assert.equal(chosen, names.at(-1));
 }
 
-async function showsEveryFigure(page) {
+/** All buttons show plots; a curve, smooth as it is drawn, has hundreds of colours. */
+async function showsEveryFigure(page, fewestColours = 10) {
   for (const button of await page.locator("nav button").all()) {
     await button.click();
     const panels = await page.locator(".panel canvas").count();
@@ -173,7 +176,7 @@ async function showsEveryFigure(page) {
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
       return new Set(new Uint32Array(data.buffer)).size;
     });
-    assert.ok(drawn > 10, `${await button.textContent()} is drawn in ${drawn} colours`); // smooth lines have hundreds
+    assert.ok(drawn > fewestColours, `${await button.textContent()} is drawn in ${drawn} colours`);
   }
 }
 
@@ -200,6 +203,30 @@ const scenes = {
   four_bar: { points: ["crank", "rocker"], colours: [[0x00, 0x72, 0xb2], [0xd5, 0x5e, 0x00]] },
 };
 
+/** Results that have little to show: no page of them may complain. */
+const oddResults = {
+  one_row: "t,x1,y1,rod.position_error\n0.5,1,2,0\n",
+  no_numbers: "t,x1,y1,x2,y2,ratio\n0,0,0,1,1,nan\n1,nan,1,nan,nan,inf\n2,1,1,2,2,-1e300\n",
+  no_points: "t,spin\n1e6,1\n1000001,2\n",
+};
+
+async function survivesOddResults(browser, directory) {
+  for (const [name, text] of Object.entries(oddResults)) {
+    const [csv, path] = [join(directory, `${name}.csv`), join(directory, `${name}.html`)];
+    writeFileSync(csv, text);
+    execFileSync(mbcc, ["plot", csv, "-o", path]);
+    const page = await open(browser, pathToFileURL(path).href);
+    await page.keyboard.press("Space");
+    await page.keyboard.press("t");
+    await page.waitForTimeout(100);
+    await showsEveryFigure(page, 1);
+    assert.deepEqual(page.complaints, [], name);
+    if (screenshots) await page.screenshot({ path: join(screenshots, `${name}.png`) });
+    await page.close();
+    console.log(`${name}: fine`);
+  }
+}
+
 const directory = mkdtempSync(join(tmpdir(), "mbcc-page-"));
 // --no-sandbox: Chromium refuses root otherwise. The other flag draws WebGL without a graphics card.
 const browser = await playwright.chromium.launch({
@@ -221,6 +248,7 @@ try {
     if (screenshots) await takePictures(browser, url, name);
     console.log(`${name}: fine`);
   }
+  await survivesOddResults(browser, directory);
 } finally {
   await browser.close();
   rmSync(directory, { recursive: true });

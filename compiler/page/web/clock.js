@@ -26,6 +26,7 @@ export class Clock {
 
   /** Real time if the motion is neither over in a moment nor endless. */
   #comfortableSpeed() {
+    if (this.span === 0) return 1;
     if (this.span > longestAtFirst) {
       return speeds.find((speed) => this.span / speed <= longestAtFirst) ?? speeds.at(-1);
     }

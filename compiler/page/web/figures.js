@@ -9,7 +9,8 @@ export class Figures {
 
   constructor(root, result, clock, theme) {
     Object.assign(this, { result, clock, theme });
-    this.whole = [result.times[0], result.times.at(-1)];
+    const rests = clock.span > 0 ? 0 : 0.5; // a result of one row is shown with some time around it
+    this.whole = [clock.first - rests, clock.last + rests];
     this.range = this.whole;
     this.buttons = this.#addButtons(root.querySelector("nav"));
     this.panels = root.querySelector(".panels");

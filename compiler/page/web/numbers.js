@@ -12,14 +12,15 @@ function power(exponent) {
 export function exact(value) {
   if (Number.isNaN(value)) return "not a number";
   const size = Math.abs(value);
-  const plain = size === 0 || (size >= 1e-3 && size < 1e6) || !Number.isFinite(size);
+  const plain = size === 0 || (size >= 1e-3 && size < 1e9) || !Number.isFinite(size);
   const [digits, exponent] = (plain ? String(value) : value.toExponential()).split("e");
   return digits.replace("-", "−") + (exponent ? `·${power(Number(exponent))}` : "");
 }
 
-/** For the marks of an axis. */
-export function brief(value) {
-  return exact(Number(value.toPrecision(6)));
+/** For a mark of an axis whose marks are `step` apart: without the rounding of value = n step. */
+export function brief(value, step) {
+  const digits = Math.ceil(Math.log10(Math.abs(value / step) || 1)) + 3;
+  return exact(Number(value.toPrecision(Math.min(Math.max(digits, 3), 15))));
 }
 
 /** 10⁻⁸ for 1e-8. */

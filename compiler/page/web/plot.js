@@ -32,9 +32,10 @@ function decadeMarks(plot, axis, low, high) {
   return marks;
 }
 
-/** Sizes for a logarithmic axis, on which an exact zero has no place. */
-function sizes(values) {
-  return Array.from(values, (value) => Math.abs(value) || null);
+/** What can be drawn of a signal, on a logarithmic axis its size; with gaps where there is nothing to draw. */
+function drawable(values, logarithmic) {
+  const size = (value) => (logarithmic ? Math.abs(value) || null : value);
+  return Array.from(values, (value) => (Number.isFinite(value) ? size(value) : null));
 }
 
 export class Plot {
@@ -53,7 +54,7 @@ export class Plot {
     this.canvas.className = "plot";
     container.append(this.root);
 
-    const data = [this.times, ...this.columns.map(({ values }) => (this.logarithmic ? sizes(values) : values))];
+    const data = [this.times, ...this.columns.map(({ values }) => drawable(values, this.logarithmic))];
     this.plot = new uPlot(this.#options(theme, range), data, this.canvas);
     this.line = this.plot.over.appendChild(document.createElement("div"));
     this.line.className = "time-line";
@@ -87,7 +88,7 @@ export class Plot {
       ticks: { stroke: theme.colour("--grid"), width: 1, size: 4 },
       font: "11px system-ui, sans-serif",
     };
-    const values = (plot, marks) => marks.map(brief);
+    const values = (plot, marks, axis, space, step) => marks.map((mark) => brief(mark, step));
     const size = 64;
     const upright = this.logarithmic
       ? {
@@ -116,7 +117,7 @@ export class Plot {
           stroke: theme.signal(index),
           width: 1.6,
           pxAlign: 0, // of curves, unlike of lines of the grid, rounding to pixels makes stairs
-          points: { show: false },
+          points: { show: this.times.length === 1 },
         })),
       ],
       hooks: {

@@ -86,7 +86,7 @@ export class Ground {
   }
 
   #addMark(axis, value) {
-    const mark = label(brief(value), axis === 0 ? "mark below" : "mark beside");
+    const mark = label(brief(value, this.spacing), axis === 0 ? "mark below" : "mark beside");
     mark.position.setComponent(axis, value);
     this.group.add(mark);
   }

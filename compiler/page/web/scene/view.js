@@ -163,7 +163,8 @@ export class View {
   #frameFlat() {
     const { low, high, radius } = this.extent;
     const air = 0.28 * radius;
-    const halfHeight = Math.max((high.y - low.y) / 2 + air, ((high.x - low.x) / 2 + air) / this.aspect);
+    const [x, y] = [high.x - low.x, high.y - low.y].map((size) => Math.max(size, radius) / 2 + air);
+    const halfHeight = Math.max(y, x / this.aspect);
     const halfWidth = halfHeight * this.aspect;
     Object.assign(this.camera, { left: -halfWidth, right: halfWidth, top: halfHeight, bottom: -halfHeight });
   }
