@@ -9,16 +9,23 @@ namespace mbcc::dialog {
 
 namespace {
 
-/// 0 if the text is no natural number.
-std::size_t natural(const std::string& text) {
-  std::size_t value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+/// For a draft and a constant one.
+template <class AnyDraft>
+auto& quantity_in(AnyDraft& draft, Slot slot) {
+  auto& particle = draft.particles[slot.index];
+  switch (slot.item) {
+    case Item::Position:
+      return particle.position;
+    case Item::Velocity:
+      return particle.velocity;
+    default:
+      MBCC_ASSERT(slot.item == Item::Force);
+      return particle.force;
+  }
 }
 
-}  // namespace
-
-std::string& answer(Draft& draft, Slot slot) {
+template <class AnyDraft>
+auto& answer_in(AnyDraft& draft, Slot slot) {
   switch (slot.item) {
     case Item::Name:
       return draft.name;
@@ -39,38 +46,37 @@ std::string& answer(Draft& draft, Slot slot) {
     case Item::To:
       return draft.to;
     default:
-      return quantity(draft, slot).components[slot.axis];
+      return quantity_in(draft, slot).components[slot.axis];
   }
 }
 
-const std::string& answer(const Draft& draft, Slot slot) { return answer(const_cast<Draft&>(draft), slot); }
+}  // namespace
 
-Quantity& quantity(Draft& draft, Slot slot) {
-  Particle& particle = draft.particles[slot.index];
-  switch (slot.item) {
-    case Item::Position:
-      return particle.position;
-    case Item::Velocity:
-      return particle.velocity;
-    default:
-      MBCC_ASSERT(slot.item == Item::Force);
-      return particle.force;
-  }
+std::string& answer(Draft& draft, Slot slot) { return answer_in(draft, slot); }
+const std::string& answer(const Draft& draft, Slot slot) { return answer_in(draft, slot); }
+
+Quantity& quantity(Draft& draft, Slot slot) { return quantity_in(draft, slot); }
+const Quantity& quantity(const Draft& draft, Slot slot) { return quantity_in(draft, slot); }
+
+std::optional<std::size_t> natural(const std::string& text) {
+  std::size_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, failure] = std::from_chars(text.data(), end, value);
+  return failure == std::errc() && stopped == end ? std::optional(value) : std::nullopt;
 }
-
-const Quantity& quantity(const Draft& draft, Slot slot) { return quantity(const_cast<Draft&>(draft), slot); }
 
 std::size_t axes(const Draft& draft) {
-  const std::size_t dimension = natural(draft.dimension);
+  const std::size_t dimension = natural(draft.dimension).value_or(3);
   return dimension == 1 || dimension == 2 ? dimension : 3;
 }
-std::size_t particles(const Draft& draft) { return natural(draft.particle_count); }
-std::size_t equations(const Draft& draft) { return natural(draft.equation_count); }
+
+std::size_t particles(const Draft& draft) { return natural(draft.particle_count).value_or(0); }
+std::size_t equations(const Draft& draft) { return natural(draft.equation_count).value_or(0); }
 
 void make_room(Draft& draft) {
   std::size_t last = 0;
   for (const Particle& particle : draft.particles) {
-    last = std::max(last, natural(particle.name));
+    last = std::max(last, natural(particle.name).value_or(0));
   }
   while (draft.particles.size() < particles(draft)) {
     draft.particles.push_back({std::to_string(++last), "", {}, {}, {}});

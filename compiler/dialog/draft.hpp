@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,9 @@ const std::string& answer(const Draft& draft, Slot slot);
 /// The quantity that a component belongs to.
 Quantity& quantity(Draft& draft, Slot slot);
 const Quantity& quantity(const Draft& draft, Slot slot);
+
+/// The number that `text` has, of digits alone; nothing for other texts.
+std::optional<std::size_t> natural(const std::string& text);
 
 std::size_t axes(const Draft& draft);       ///< 3 while the dimension is not known
 std::size_t particles(const Draft& draft);  ///< 0 while their number is not known

@@ -18,9 +18,8 @@ void add_particles(std::vector<Slot>& slots, Item item, const Draft& draft, std:
 
 /// m1, fx1, vx1, x1, and bob.m, bob.fx.
 std::string symbol(const Particle& particle, std::string_view prefix, std::string_view axis) {
-  const bool numbered = particle.name.find_first_not_of("0123456789") == std::string::npos;
-  return numbered ? fmt::format("{}{}{}", prefix, axis, particle.name)
-                  : fmt::format("{}.{}{}", particle.name, prefix, axis);
+  return natural(particle.name) ? fmt::format("{}{}{}", prefix, axis, particle.name)
+                                : fmt::format("{}.{}{}", particle.name, prefix, axis);
 }
 
 }  // namespace

@@ -2,30 +2,12 @@
 
 #include <string>
 
+#include "source/text.hpp"
 #include "syntax/parser.hpp"
 
 namespace mbcc::dialog {
 
 namespace {
-
-/// The text of an answer on one line, without comments.
-std::string one_line(std::string_view text) {
-  std::string line;
-  bool in_comment = false;
-  bool after_break = false;
-  for (const char c : text) {
-    in_comment = c == '#' || (in_comment && c != '\n');
-    const bool is_blank = c == ' ' || c == '\t' || c == '\r';
-    if (c == '\n') {
-      line.erase(line.find_last_not_of(" \t\r") + 1);
-      after_break = true;
-    } else if (!in_comment && !(after_break && is_blank)) {
-      line += after_break ? std::string(1, ' ') + c : std::string(1, c);
-      after_break = false;
-    }
-  }
-  return line;
-}
 
 class OutlineReader {
  public:
@@ -34,10 +16,9 @@ class OutlineReader {
   Outline read() {
     Diagnostics ignored;
     const ast::ModelFile file = parse(lex(sources_, 0, ignored), ignored);
-    found_.first_statement = static_cast<std::uint32_t>(sources_[0].text().size());
-    if (!file.statements.empty()) {
-      found_.first_statement = file.statements.front().span.begin;
-    }
+    const std::string_view text = sources_[0].text();
+    const std::size_t first = file.statements.empty() ? text.size() : file.statements.front().span.begin;
+    found_.first_statement = static_cast<std::uint32_t>(text.substr(0, first).find_last_of('\n') + 1);
     for (const ast::Statement& statement : file.statements) {
       std::visit([&](const auto& node) { visit(node, statement); }, statement.node);
     }
@@ -81,8 +62,9 @@ class OutlineReader {
 
   void visit(const ast::Constraint& constraint, const ast::Statement& statement) {
     const Span first = constraint.label ? constraint.label->span : constraint.sides.front().span;
-    found_.answers.equations.push_back(text(join(first, constraint.sides.back().span)));
-    found_.equations.push_back(statement.span);
+    const Span whole = join(first, constraint.sides.back().span);
+    found_.answers.equations.push_back(text(whole));
+    found_.equations.push_back({statement.span, whole});
   }
 
   void visit(const ast::Integrate& integrate, const ast::Statement& statement) {
@@ -114,12 +96,14 @@ class OutlineReader {
     }
   }
 
+  /// In a block of several lines a field may follow behind the line of the last one, with its comment.
   BlockPlaces block(const ast::Statement& statement, const std::vector<ast::Field>& fields) const {
     BlockPlaces places{statement.span, {}, false};
     if (!fields.empty()) {
-      const Span last = fields.back().value.span;
-      places.last_value_end = last.end;
-      places.one_line = sources_.text({0, last.end, statement.span.end}).find('\n') == std::string_view::npos;
+      const std::uint32_t end = fields.back().value.span.end;
+      const std::size_t line_end = sources_[0].text().find('\n', end);
+      places.one_line = line_end >= statement.span.end;
+      places.end_of_fields = places.one_line ? end : static_cast<std::uint32_t>(line_end);
     }
     return places;
   }

@@ -10,16 +10,20 @@
 
 namespace mbcc::dialog {
 
-/// Where the fields of a block stand.
 struct BlockPlaces {
   Span statement;
-  std::optional<std::uint32_t> last_value_end;  ///< nothing if the block is empty
-  bool one_line = false;
+  std::optional<std::uint32_t> end_of_fields;  ///< where another one may follow; nothing if there is none
+  bool one_line = false;                       ///< the last field and the end of the block
 };
 
 struct ParticlePlaces {
   BlockPlaces block;
   std::optional<Span> mass, position, velocity, force;  ///< their values
+};
+
+struct EquationPlaces {
+  Span statement;
+  Span answer;  ///< with the name, if there is one
 };
 
 /// The particles, constraints and times that stand by themselves; what is in loops or imported is not asked for. Spans
@@ -28,9 +32,9 @@ struct Outline {
   Draft answers;
   std::optional<Span> name, dimension, step, from, to;
   std::vector<ParticlePlaces> particles;
-  std::vector<Span> equations;  ///< whole statements
+  std::vector<EquationPlaces> equations;
   std::optional<BlockPlaces> integrate;
-  std::uint32_t first_statement = 0;  ///< where it begins; behind the text if there is none
+  std::uint32_t first_statement = 0;  ///< where its line begins; behind the text if there is none
 };
 
 /// `name` is the system's if the text does not say another.

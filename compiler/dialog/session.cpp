@@ -4,21 +4,11 @@
 
 #include "dialog/check.hpp"
 #include "dialog/item.hpp"
-#include "dialog/outline.hpp"
+#include "source/text.hpp"
 
 namespace mbcc::dialog {
 
 namespace {
-
-/// "Y" or "y".
-bool is_yes(std::string_view text) { return text == "Y" || text == "y"; }
-
-std::string trimmed(std::string_view line) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = line.find_first_not_of(blanks);
-  return first == std::string_view::npos ? std::string()
-                                         : std::string(line.substr(first, line.find_last_not_of(blanks) - first + 1));
-}
 
 Dialog following(Dialog dialog) { return static_cast<Dialog>(static_cast<std::size_t>(dialog) + 1); }
 
@@ -53,7 +43,7 @@ Question Session::question() const {
 }
 
 std::string Session::answer(std::string_view line) {
-  const std::string text = trimmed(line);
+  const std::string text(trimmed(line));
   if (text == "?") {
     return help();
   }
@@ -159,7 +149,8 @@ std::string Session::help() const {
     case Phase::Moving:
       return "Y or ENTER takes the values shown; anything else asks dialog H again.\n";
     case Phase::Overwriting:
-      return "Y replaces what is there; N keeps it, and asks for another name.\n";
+      return options_.output.empty() ? "Y replaces what is there; N keeps it, and asks for another name.\n"
+                                     : "Y replaces what is there; N keeps it, and the answers as a draft.\n";
     case Phase::Closing:
       break;
   }
@@ -171,7 +162,7 @@ std::string Session::leave(std::string_view unfinished, Ending ending) {
   if (phase_ == Phase::Closing) {
     return end(ending == Ending::Unfinished ? Ending::Complete : ending, "");
   }
-  end(ending, "");
+  end(ending, ending == Ending::Unfinished ? "mbcc: error: the answers end before the model is complete\n" : "");
   if (draft_.path.empty() || phase_ == Phase::Resuming) {
     return "";
   }

@@ -65,6 +65,9 @@ class Session {
     Closing,      ///< what to do with the model that has been written
   };
 
+  static bool is_yes(std::string_view text) { return text == "Y" || text == "y"; }
+  static bool is_no(std::string_view text) { return text == "N" || text == "n"; }
+
   // session.cpp: from question to question
   Slot slot() const;
   std::string default_answer() const;
@@ -78,12 +81,15 @@ class Session {
   // stations.cpp: what has to be settled between the dialogs
   bool open_model();
   std::string settle_name();
+  std::string begin_draft();
   std::string resume(const std::string& text);
   bool save(std::string_view unfinished);
   std::string settle_start();
   std::string ask_for_start();
   std::string leave_start();
   std::string move_start();
+  bool may_replace() const;
+  std::string refuse_to_replace();
   std::string settle_files();
   std::string overwrite(const std::string& text);
   std::string write();
@@ -100,7 +106,7 @@ class Session {
   std::optional<std::string> retry_;  ///< stands in the line instead of the answer so far
   std::vector<Moved> moved_;          ///< what Phase::Moving offers
   std::string saved_as_;              ///< where this session's draft is
-  bool written_ = false;              ///< the files that exist are this session's
+  std::string written_;               ///< the program that this session wrote
   std::optional<Ending> ending_;
   int exit_code_ = 0;
   std::string error_;

@@ -61,27 +61,31 @@ bool Session::open_model() {
 
 std::string Session::settle_name() {
   draft_.path = !options_.output.empty() ? options_.output : beside(options_.model, draft_.name + ".mbd");
-  if (!saved_as_.empty() && saved_as_ != draft_path()) {
-    workshop_.remove(saved_as_);
-    saved_as_.clear();
+  if (!options_.interactive && !may_replace()) {
+    return refuse_to_replace();
   }
-  if (!options_.interactive && !options_.force && !existing_files().empty()) {
-    return settle_files();
-  }
-  if (saved_as_.empty() && workshop_.exists(draft_path())) {
+  if (saved_as_ != draft_path() && workshop_.exists(draft_path())) {
     phase_ = Phase::Resuming;
     return fmt::format("`{}` keeps the answers of a dialog that was left\n", draft_path());
   }
+  return begin_draft();
+}
+
+/// Under the name that has just been settled.
+std::string Session::begin_draft() {
+  if (!saved_as_.empty() && saved_as_ != draft_path()) {
+    workshop_.remove(saved_as_);
+  }
   enter(Dialog::Dimension);
-  return saved_as_.empty() ? end(Ending::WrongUsage, fmt::format("mbcc: error: cannot write `{}`\n", draft_path()))
-                           : "";
+  const bool saved = saved_as_ == draft_path();
+  return saved ? "" : end(Ending::WrongUsage, fmt::format("mbcc: error: cannot write `{}`\n", draft_path()));
 }
 
 std::string Session::resume(const std::string& text) {
-  if (text == "N" || text == "n") {
-    return enter(Dialog::Dimension);
+  if (is_no(text)) {
+    return begin_draft();
   }
-  if (!text.empty() && text != "Y" && text != "y") {
+  if (!text.empty() && !is_yes(text)) {
     return "answer Y or N\n";
   }
   std::optional<Bookmark> bookmark = read_bookmark(workshop_.read(draft_path()).value_or(""));
@@ -156,24 +160,33 @@ std::string Session::existing_files() const {
 
 std::string Session::program_path() const { return beside(draft_.path, "c" + draft_.name + ".cpp"); }
 
+/// What this session wrote is its own.
+bool Session::may_replace() const { return options_.force || written_ == program_path() || existing_files().empty(); }
+
+std::string Session::refuse_to_replace() {
+  return end(Ending::WrongUsage,
+             fmt::format("mbcc: error: {} would be replaced: say `--force`, or take another name\n", existing_files()));
+}
+
 std::string Session::settle_files() {
-  const std::string existing = existing_files();
-  if (existing.empty() || options_.force || written_) {
+  if (may_replace()) {
     return write();
   }
-  if (options_.interactive) {
-    phase_ = Phase::Overwriting;
-    return "";
+  if (!options_.interactive) {
+    return refuse_to_replace();
   }
-  return end(Ending::WrongUsage,
-             fmt::format("mbcc: error: {} would be replaced: say `--force`, or take another name\n", existing));
+  phase_ = Phase::Overwriting;
+  return "";
 }
 
 std::string Session::overwrite(const std::string& text) {
-  if (text == "Y" || text == "y") {
+  if (is_yes(text)) {
     return write();
   }
-  return text == "N" || text == "n" ? enter(Dialog::Name) : "answer Y or N\n";
+  if (!is_no(text)) {
+    return "answer Y or N\n";
+  }
+  return options_.output.empty() ? enter(Dialog::Name) : leave("", Ending::WrongUsage);
 }
 
 std::string Session::write() {
@@ -182,7 +195,7 @@ std::string Session::write() {
   }
   workshop_.remove(saved_as_);
   saved_as_.clear();
-  written_ = true;
+  written_ = program_path();
   phase_ = Phase::Closing;
   exit_code_ = workshop_.compile(draft_.path, program_path());
   return exit_code_ == 0 ? fmt::format("wrote `{}` and `{}`\n", draft_.path, program_path())

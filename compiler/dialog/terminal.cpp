@@ -36,7 +36,7 @@ Terminal::Terminal() : past_(history_init()), editor_(el_init("mbcc", stdin, std
   el_set(editor, EL_EDITOR, "emacs");
   el_set(editor, EL_HIST, history, past_.get());
   // Ctrl-C comes as a key, so that what stands in the line is not lost.
-  el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
+  el_set(editor, EL_SETTY, "-d", "intr=", nullptr);
   el_set(editor, EL_ADDFN, "mbcc-interrupt", "leave the dialog", &TerminalCallbacks::interrupt);
   el_set(editor, EL_BIND, "^C", "mbcc-interrupt", nullptr);
   el_source(editor, nullptr);

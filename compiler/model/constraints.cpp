@@ -4,25 +4,10 @@
 
 #include "model/names.hpp"
 #include "model/system_builder.hpp"
+#include "source/text.hpp"
 
 namespace mbcc::model {
 namespace {
-
-/// The text of an equation on one line, without the comments in it.
-std::string one_line(std::string_view text) {
-  std::string line;
-  bool in_comment = false;
-  for (const char c : text) {
-    in_comment = c == '#' || (in_comment && c != '\n');
-    const bool is_blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
-    if (is_blank && !line.empty() && line.back() != ' ') {
-      line += ' ';
-    } else if (!is_blank && !in_comment) {
-      line += c;
-    }
-  }
-  return line;
-}
 
 std::optional<Template> template_of(const Instance& instance) {
   if (instance.frame == nullptr) {
