@@ -44,15 +44,17 @@ Question Session::question() const {
 
 std::string Session::answer(std::string_view line) {
   const std::string text(trimmed(line));
-  if (text == "?") {
+  // Behind what stood in the line they mean the same: who asks for help need not clear it first.
+  const std::string prefill = question().prefill;
+  if (text == "?" || text == prefill + "?") {
     return help();
   }
-  if (text == "back") {
+  if (text == "back" || text == prefill + "back") {
     return go_back();
   }
   switch (phase_) {
     case Phase::Asking:
-      return take(text.empty() ? question().prefill : text);
+      return take(text.empty() ? prefill : text);
     case Phase::Confirming:
       return text.empty() || is_yes(text) ? leave_dialog() : enter(place_.dialog);
     case Phase::Resuming:

@@ -15,6 +15,9 @@ namespace {
 /// By more than rounding.
 bool moves(const Moved& moved) { return std::abs(moved.to - moved.from) > 1e-12 * std::max(1.0, std::abs(moved.to)); }
 
+/// All digits but those that are rounding.
+std::string shown(double value) { return fmt::format("{:.15g}", value); }
+
 /// Calls `visit(slot, moved)` for each component at the start that `start` knows.
 template <class Visit>
 void for_each_component(const Draft& draft, const std::vector<Moved>& start, const Visit& visit) {
@@ -47,7 +50,7 @@ void take_start(Draft& draft, const std::vector<Moved>& start) {
   for_each_component(before, start, [&](Slot slot, const Moved& moved) {
     const bool was_whole = quantity(before, slot).whole;
     if (was_whole || moves(moved)) {
-      answer(draft, slot) = fmt::format("{}", moved.to);
+      answer(draft, slot) = shown(moved.to);
       quantity(draft, slot).whole = false;
     }
   });
@@ -56,7 +59,8 @@ void take_start(Draft& draft, const std::vector<Moved>& start) {
 std::string describe_moves(const std::vector<Moved>& start) {
   std::string lines;
   for (const Moved& moved : start) {
-    lines += moves(moved) ? fmt::format("  {} = {} instead of {}\n", moved.name, moved.to, moved.from) : "";
+    lines +=
+        moves(moved) ? fmt::format("  {} = {} instead of {}\n", moved.name, shown(moved.to), shown(moved.from)) : "";
   }
   return lines;
 }

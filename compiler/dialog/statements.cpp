@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "source/text.hpp"
 
 namespace mbcc::dialog {
@@ -65,7 +67,8 @@ Piece Statements::constraint(std::size_t index, std::size_t name_width) const {
     return (name.empty() ? "constraint : " : "constraint ") + answered(slot);
   }
   const std::string_view equation = name.empty() ? typed : trimmed(std::string_view(typed).substr(typed.find(':') + 1));
-  return fmt::format("constraint {:{}}: {}", name, name_width == 0 ? 0 : name_width + 1, equation);
+  const std::size_t width = std::max(name_width, name.size());
+  return fmt::format("constraint {:{}}: {}", name, width == 0 ? 0 : width + 1, equation);
 }
 
 }  // namespace mbcc::dialog

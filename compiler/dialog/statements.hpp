@@ -30,7 +30,7 @@ class Statements {
 
   Piece particle(std::size_t index) const;
 
-  /// Names are padded to `name_width`.
+  /// Names are padded to `name_width` at least.
   Piece constraint(std::size_t index, std::size_t name_width) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <histedit.h>
 
+#include <csignal>
 #include <cstdio>
 
 #include "diagnostics/assert.hpp"
@@ -20,6 +21,10 @@ struct TerminalCallbacks {
     terminal_of(editor).interrupted_ = true;
     return CC_EOF;
   }
+  static unsigned char suspend(EditLine* /*editor*/, int /*key*/) {
+    raise(SIGTSTP);
+    return CC_REFRESH;
+  }
 };
 
 void Terminal::Close::operator()(editline* editor) const { el_end(editor); }
@@ -35,10 +40,14 @@ Terminal::Terminal() : past_(history_init()), editor_(el_init("mbcc", stdin, std
   el_set(editor, EL_PROMPT, &TerminalCallbacks::prompt);
   el_set(editor, EL_EDITOR, "emacs");
   el_set(editor, EL_HIST, history, past_.get());
-  // Ctrl-C comes as a key, so that what stands in the line is not lost.
-  el_set(editor, EL_SETTY, "-d", "intr=", nullptr);
+  // Ctrl-C comes as a key, so that what stands in the line is not lost; Ctrl-Z then does so, too. Real signals find the
+  // terminal as it was.
+  el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
   el_set(editor, EL_ADDFN, "mbcc-interrupt", "leave the dialog", &TerminalCallbacks::interrupt);
+  el_set(editor, EL_ADDFN, "mbcc-suspend", "suspend the dialog", &TerminalCallbacks::suspend);
   el_set(editor, EL_BIND, "^C", "mbcc-interrupt", nullptr);
+  el_set(editor, EL_BIND, "^Z", "mbcc-suspend", nullptr);
+  el_set(editor, EL_SIGNAL, 1);
   el_source(editor, nullptr);
 }
 
@@ -47,6 +56,7 @@ Terminal::~Terminal() = default;
 Reply Terminal::ask(const Question& question) {
   prompt_ = question.prompt;
   interrupted_ = false;
+  el_set(editor_.get(), EL_PREP_TERM, 1);  // before anything is to be seen that invites to type
   if (!question.prefill.empty()) {
     el_push(editor_.get(), question.prefill.c_str());
   }

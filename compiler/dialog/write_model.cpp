@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "dialog/outline.hpp"
 #include "dialog/revision.hpp"
@@ -34,7 +35,7 @@ class ModelWriter {
     const Slot slot{Item::Name};
     if (base_.name) {
       revision_.replace(*base_.name, statements_.answered(slot));
-    } else {
+    } else if (draft_.base.empty() || draft_.name != std::filesystem::path(draft_.path).stem()) {
       revision_.insert(base_.first_statement, "system " + statements_.answered(slot) + "\n");
     }
   }

@@ -7,32 +7,9 @@
 #include <string>
 
 #include "support/run_model.hpp"
+#include "support/variable.hpp"
 
 namespace mbcc::test {
-
-/// A variable of the environment, set for as long as this lives.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* old = std::getenv(name)) {
-      old_ = old;
-    }
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() {
-    if (old_) {
-      setenv(name_, old_->c_str(), 1);
-    } else {
-      unsetenv(name_);
-    }
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> old_;
-};
 
 inline constexpr const char* pendulum = R"(system pendulum
 dimension 2
