@@ -7,7 +7,7 @@ CLANG_TIDY ?= clang-tidy-14
 build = cmake --preset $(1) && cmake --build --preset $(1) -j $(JOBS)
 sources = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: all demo test stress bench fuzz install format check-format tidy packages
+.PHONY: all demo test stress bench fuzz docs gallery install format check-format tidy packages
 all: packages
 	$(call build,release)
 
@@ -34,6 +34,14 @@ fuzz: packages
 	$(call build,fuzz) --target fuzz_front_end
 	mkdir -p build/fuzz/corpus
 	build/fuzz/tests/fuzz/fuzz_front_end -runs=$(or $(RUNS),1000000) -entropic=0 -dict=tests/fuzz/model.dict build/fuzz/corpus tests/fuzz/seeds examples
+
+# Pages that are made from sources and examples, and committed.
+docs: packages
+	$(call build,release) --target docs
+
+gallery: packages
+	$(call build,release) --target mbcc_program mbrt
+	docs/make-gallery build/release/mbcc
 
 install: all
 	cmake --install build/release --prefix $(PREFIX)

@@ -1,6 +1,7 @@
 // The pages of docs/ that are made: they are current, and what they show is right.
 
 #include <catch2/catch.hpp>
+#include <regex>
 
 #include "support/markdown.hpp"
 #include "support/run_model.hpp"
@@ -41,6 +42,37 @@ TEST_CASE("every model on the page on the language is one, without a warning") {
     }
   }
   CHECK(models == 4);
+}
+
+TEST_CASE("the gallery shows every example, and the figures are there") {
+  const std::string page = read_file(root / "docs/gallery.md");
+  for (const auto& example : std::filesystem::directory_iterator(root / "examples")) {
+    if (example.is_directory()) {
+      const std::string name = example.path().filename().string();
+      INFO(name);
+      CHECK(page.find("](../examples/" + name + ")\n") != std::string::npos);
+      CHECK(page.find("](gallery/" + name + ".svg)\n") != std::string::npos);
+      CHECK(std::filesystem::exists(root / "docs/gallery" / (name + ".svg")));
+    }
+  }
+}
+
+TEST_CASE("links between pages lead somewhere") {
+  std::vector<std::filesystem::path> pages = {root / "README.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(root / "docs")) {
+    if (entry.path().extension() == ".md") {
+      pages.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path& page : pages) {
+    const std::string text = read_file(page);
+    const std::regex link("\\]\\(([^)#]+)[^)]*\\)");
+    for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at) {
+      const std::string target = (*at)[1];
+      INFO(page.filename() << " links " << target);
+      CHECK((target.rfind("http", 0) == 0 || std::filesystem::exists(page.parent_path() / target)));
+    }
+  }
 }
 
 }  // namespace mbcc::test
