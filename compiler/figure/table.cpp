@@ -51,14 +51,12 @@ class Rows {
   std::vector<Span> cells_;
 };
 
+constexpr std::string_view time_column = "t";
+
 bool read_header(const Rows& rows, Table& table, Diagnostics& diagnostics) {
   std::set<std::string_view> seen;
   for (const Span cell : rows.cells()) {
     const std::string_view name = rows.text(cell);
-    if (table.names.empty() && name != "t") {
-      diagnostics.report(Finding::ResultWithoutTime, cell, name);
-      return false;
-    }
     if (!seen.insert(name).second) {
       diagnostics.report(Finding::ColumnTwice, cell, name);
       return false;
@@ -66,6 +64,10 @@ bool read_header(const Rows& rows, Table& table, Diagnostics& diagnostics) {
     table.names.emplace_back(name);
   }
   table.columns.resize(table.names.size());
+  if (!seen.contains(time_column)) {
+    diagnostics.report(Finding::ResultWithoutTime, rows.line());
+    return false;
+  }
   return true;
 }
 
@@ -85,6 +87,12 @@ bool read_row(const Rows& rows, Table& table, Diagnostics& diagnostics) {
     table.columns[i].push_back(value);
   }
   return true;
+}
+
+void put_time_first(Table& table) {
+  const auto time = std::find(table.names.begin(), table.names.end(), time_column) - table.names.begin();
+  std::rotate(table.names.begin(), table.names.begin() + time, table.names.begin() + time + 1);
+  std::rotate(table.columns.begin(), table.columns.begin() + time, table.columns.begin() + time + 1);
 }
 
 }  // namespace
@@ -110,6 +118,7 @@ std::optional<Table> read_table(const Sources& sources, std::uint32_t file, Diag
       return std::nullopt;
     }
   }
+  put_time_first(table);
   if (table.time().empty()) {
     const auto end = static_cast<std::uint32_t>(source.text().size());
     diagnostics.report(Finding::ResultWithoutRows, {file, end, end});

@@ -12,7 +12,8 @@
 
 namespace mbcc::figure {
 
-/// What a run wrote with --csv: a header that begins with `t`, and at least one row of numbers.
+/// What a run wrote with --csv: a header, and at least one row of numbers. The first column is `t`, wherever it stands
+/// in the file.
 struct Table {
   std::string name;                          ///< the file, as the user wrote it
   std::vector<std::string> names;            ///< of the columns, each once

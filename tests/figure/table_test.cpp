@@ -22,6 +22,12 @@ TEST_CASE("a result is read as columns, to the last digit") {
   CHECK(table["y1"].empty());
 }
 
+TEST_CASE("time comes first, wherever it stands") {
+  const Table table = table_of("x1,y1,t\n1,2,0\n");
+  CHECK(table.names == std::vector<std::string>{"t", "x1", "y1"});
+  CHECK((table.time()[0] == 0 && table["x1"][0] == 1 && table["y1"][0] == 2));
+}
+
 TEST_CASE("lines may end as elsewhere, and the last one need not end at all") {
   CHECK(table_of("t,a\r\n0,1\r\n1,2").columns[1] == std::vector<double>{1, 2});
   CHECK(table_of("t\n0\n1\n").time().size() == 2);
@@ -30,8 +36,8 @@ TEST_CASE("lines may end as elsewhere, and the last one need not end at all") {
 TEST_CASE("what is no result is said with its place") {
   CHECK(complaint_about("") ==
         "result.csv:1:1: error: the file is empty: a result begins with the names of its columns\n\n^\n");
-  CHECK(complaint_about("x1,t\n0,1\n") ==
-        "result.csv:1:1: error: the first column is `x1`: a result begins with the time, `t`\nx1,t\n^~\n");
+  CHECK(complaint_about("x1,T\n0,1\n") ==
+        "result.csv:1:1: error: no column is called `t`: a result has the time in one\nx1,T\n^~~~\n");
   CHECK(complaint_about("t,x1\n") == "result.csv:2:1: error: the result has no rows\n\n^\n");
   CHECK(complaint_about("t,\"a,b\",\"a,b\"\n0,1,2\n") ==
         "result.csv:1:10: error: `a,b` names two columns\nt,\"a,b\",\"a,b\"\n         ^~~\n");
