@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 
 namespace mbcc::page {
 
@@ -10,27 +12,32 @@ namespace {
 /// From so many points on, what they share is drawn as a sphere.
 constexpr std::size_t crowd = 4;
 
-/// Against the sum of the constant forces, if it is along one axis.
-Vector up_of(const model::System& system, const mechanics::Equations& equations, const mechanics::Point& point) {
-  Vector pull{};
-  for (std::size_t i = 0; i < system.forces.size(); ++i) {
-    if (equations.forces[i].level() > graph::Level::Parameter) {
-      continue;
-    }
-    for (const model::Place& place : system.places) {
-      for (std::size_t axis = 0; axis < place.position.size(); ++axis) {
-        if (system[place.position[axis]].rate == system.forces[i].speed) {
-          pull[axis] += mechanics::value_at(point, equations.forces[i]);
-        }
-      }
+/// The sum of the constant forces on all places.
+Vector pull_on(const model::System& system, const mechanics::Equations& equations, const mechanics::Point& point) {
+  std::map<model::SpeedId, std::size_t> axes;
+  for (const model::Place& place : system.places) {
+    for (std::size_t axis = 0; axis < place.position.size(); ++axis) {
+      axes.emplace(system[place.position[axis]].rate, axis);
     }
   }
-  const auto acts = [&](std::size_t axis) { return pull[axis] != 0; };
-  Vector up{0, 0, 1};
-  if (acts(0) + acts(1) + acts(2) == 1) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      up[axis] = acts(axis) ? -std::copysign(1.0, pull[axis]) : 0;
+  Vector pull{};
+  for (std::size_t i = 0; i < system.forces.size(); ++i) {
+    const auto axis = axes.find(system.forces[i].speed);
+    if (axis != axes.end() && equations.forces[i].level() <= graph::Level::Parameter) {
+      pull[axis->second] += mechanics::value_at(point, equations.forces[i]);
     }
+  }
+  return pull;
+}
+
+/// Against `pull`, if it is along one axis.
+Vector up_against(const Vector& pull) {
+  if (std::count(pull.begin(), pull.end(), 0.0) != 2) {
+    return {0, 0, 1};
+  }
+  Vector up{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    up[axis] = pull[axis] < 0 ? 1 : pull[axis] > 0 ? -1 : 0;
   }
   return up;
 }
@@ -56,22 +63,25 @@ Vector first_position(const figure::Table& table, const Point& point) {
   return position;
 }
 
-std::optional<std::size_t> find_point(const std::vector<Point>& points, const std::string& column) {
-  const auto found =
-      std::find_if(points.begin(), points.end(), [&](const Point& point) { return point.position.front() == column; });
-  return found == points.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - points.begin()));
-}
-
 std::vector<Rod> rods_of(const figure::Table& table, const std::vector<Point>& points, const Skeleton& skeleton) {
+  std::map<std::string_view, std::size_t> by_column;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    by_column.emplace(points[i].position.front(), i);
+  }
   std::vector<Rod> rods;
   for (const Skeleton::Bar& bar : skeleton.bars) {
-    const auto point = find_point(points, bar.point);
-    const auto other = bar.other ? find_point(points, *bar.other) : std::nullopt;
-    if (!point || (bar.other && !other)) {
+    const auto point = by_column.find(bar.point);
+    const auto other = by_column.find(bar.other.value_or(bar.point));
+    if (point == by_column.end() || other == by_column.end()) {
       continue;
     }
-    const Vector end = other ? first_position(table, points[*other]) : bar.anchor;
-    rods.push_back({*point, other, bar.anchor, distance(first_position(table, points[*point]), end)});
+    Rod rod{point->second, std::nullopt, bar.anchor, 0};
+    if (bar.other) {
+      rod.other = other->second;
+    }
+    const Vector end = rod.other ? first_position(table, points[*rod.other]) : bar.anchor;
+    rod.length = distance(first_position(table, points[rod.point]), end);
+    rods.push_back(rod);
   }
   return rods;
 }
@@ -104,7 +114,7 @@ void replace_crowds(Scene& scene) {
 Skeleton skeleton_of(const model::System& system, const mechanics::Equations& equations,
                      const mechanics::Derivatives& derivatives, const mechanics::Point& point) {
   const auto column = [&](std::size_t place) { return system[system.places[place].position.front()].name; };
-  Skeleton skeleton{{}, up_of(system, equations, point)};
+  Skeleton skeleton{{}, up_against(pull_on(system, equations, point))};
   for (const mechanics::Rod& rod : mechanics::find_rods(system, derivatives, point)) {
     const auto other = rod.other ? std::optional(column(*rod.other)) : std::nullopt;
     skeleton.bars.push_back({column(rod.place), other, rod.anchor});

@@ -187,6 +187,23 @@ async function changesScheme(page) {
   assert.notEqual(await background(), light);
 }
 
+/** Without WebGL the page says so in place of the scene, and all else works. */
+async function doesWithoutScene(url) {
+  const args = ["--no-sandbox", "--disable-3d-apis"];
+  const browser = await playwright.chromium.launch({ executablePath: chromium, args });
+  try {
+    const page = await browser.newPage();
+    await page.goto(url);
+    const problem = await page.locator("#stage").getAttribute("data-problem");
+    assert.match(problem, /^This browser cannot draw the scene: /);
+    await showsEveryFigure(page);
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => globalThis.mbcc.time() > 0.1);
+  } finally {
+    await browser.close();
+  }
+}
+
 async function takePictures(browser, url, name) {
   for (const scheme of ["light", "dark"]) {
     const page = await open(browser, url, scheme);
@@ -245,6 +262,7 @@ try {
     await changesScheme(page);
     assert.deepEqual(page.complaints, []);
     await page.close();
+    if (name === "four_bar") await doesWithoutScene(url);
     if (screenshots) await takePictures(browser, url, name);
     console.log(`${name}: fine`);
   }

@@ -3,6 +3,7 @@
 const speeds = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 const longestAtFirst = 30; // seconds that the whole motion takes at the speed that is set at first
 const shortestAtFirst = 3;
+const longestFrame = 1; // seconds: where frames are farther apart the page was out of sight, and has rested
 
 export class Clock {
   #listeners = [];
@@ -79,7 +80,7 @@ export class Clock {
   advance(now) {
     if (!this.playing) return;
     if (this.#last !== undefined) {
-      const time = this.time + ((now - this.#last) / 1000) * this.speed;
+      const time = this.time + Math.min((now - this.#last) / 1000, longestFrame) * this.speed;
       this.time = time <= this.last ? time : this.first;
     }
     this.#last = now;

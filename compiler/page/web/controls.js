@@ -43,13 +43,20 @@ export class Controls {
   }
 }
 
-/** `actions` maps the key of a KeyboardEvent to what it does. Keys meant for a focused control stay its own. */
+/** `actions` maps the key of a KeyboardEvent to what it does. Lists and the dialog keep their own keys. */
 export function listenToKeys(actions) {
+  const actionOf = (event) => {
+    const isOthers = event.ctrlKey || event.metaKey || event.altKey || event.target.closest("select, dialog");
+    return isOthers ? undefined : actions[event.key];
+  };
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("select, dialog")) return;
-    const action = actions[event.key];
+    const action = actionOf(event);
     if (!action) return;
     event.preventDefault();
     action(event);
   });
+  // Firefox presses a focused button when the space bar is let go.
+  document.addEventListener("keyup", (event) => actionOf(event) && event.preventDefault());
+  // A list gives the keys back once something is chosen.
+  document.addEventListener("change", (event) => event.target.closest("select")?.blur());
 }

@@ -23,6 +23,13 @@ export class Extent {
     return Math.min(this.low.dot(this.up), this.high.dot(this.up));
   }
 
+  /** A way across `up`: so far along the two other axes. */
+  across(first, second) {
+    const one = new Vector3(this.up.y, this.up.z, this.up.x);
+    const other = new Vector3().crossVectors(this.up, one);
+    return one.multiplyScalar(first).addScaledVector(other, second);
+  }
+
   /** 1, 2 or 5 times a power of ten: about `parts` of them make the scene. */
   spacing(parts) {
     const wish = (2 * this.radius) / parts;

@@ -1,13 +1,13 @@
-// The scene on the screen: camera, light, and what the pointer does.
+// The scene on the screen: the camera, and what the pointer does.
 import {
-  DirectionalLight, HemisphereLight, MOUSE, OrthographicCamera, PCFShadowMap, PerspectiveCamera, Raycaster, Scene,
-  TOUCH, Vector2, Vector3, WebGLRenderer,
+  MOUSE, OrthographicCamera, PCFShadowMap, PerspectiveCamera, Raycaster, Scene, TOUCH, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { CSS2DRenderer } from "three/addons/renderers/CSS2DRenderer.js";
 import { Bodies } from "./bodies.js";
 import { Extent } from "./extent.js";
 import { Ground, label } from "./ground.js";
+import { lights } from "./lights.js";
 import { Trails } from "./trails.js";
 
 const fieldOfView = 32; // degrees
@@ -33,7 +33,7 @@ export class View {
     this.trails = new Trails(motion, clock);
     this.ground = new Ground(this.extent, result.scene.dimension);
     this.scene = new Scene();
-    this.scene.add(this.ground.group, this.trails.group, this.bodies.group, ...this.#lights());
+    this.scene.add(this.ground.group, this.trails.group, this.bodies.group, ...lights(this.extent));
     this.name = label("", "name");
     this.scene.add(this.name);
 
@@ -45,31 +45,6 @@ export class View {
 
   get spacing() {
     return this.ground.spacing;
-  }
-
-  #lights() {
-    const { extent } = this;
-    if (extent.flat) return [];
-    const sun = new DirectionalLight(0xffffff, 2.4);
-    sun.target.position.copy(extent.middle);
-    sun.position.copy(extent.middle).addScaledVector(extent.up, 4 * extent.radius).add(this.#across(0.9, 0.5));
-    sun.castShadow = true;
-    sun.shadow.mapSize.set(2048, 2048);
-    sun.shadow.radius = 4;
-    const reach = 1.6 * extent.radius;
-    Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * reach });
-    sun.shadow.camera.far = 12 * extent.radius;
-    const sky = new HemisphereLight(0xffffff, 0xb4b8c0, 2);
-    sky.position.copy(extent.up);
-    return [sun, sun.target, sky];
-  }
-
-  /** A way across `up`, in radii of the scene along the two other axes. */
-  #across(first, second) {
-    const { up, radius } = this.extent;
-    const one = new Vector3(up.y, up.z, up.x);
-    const other = new Vector3().crossVectors(up, one);
-    return one.multiplyScalar(first * radius).addScaledVector(other, second * radius);
   }
 
   #addCamera() {
@@ -98,7 +73,7 @@ export class View {
     if (extent.flat) {
       camera.position.z += 4 * extent.radius;
     } else {
-      const way = this.#across(-0.55, -1).divideScalar(extent.radius).addScaledVector(extent.up, 0.42).normalize();
+      const way = extent.across(-0.55, -1).addScaledVector(extent.up, 0.42).normalize();
       camera.position.addScaledVector(way, distance);
     }
     camera.near = distance / 1000;
