@@ -41,22 +41,22 @@ Dual<T> chain(Operator op, const T& value, const std::array<const Dual<T>*, 3>& 
   return {value, derivative};
 }
 
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a)                 \
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a)     \
   template <class T>                                                            \
   Dual<T> function(const Dual<T>& a) {                                          \
     MBCC_USING_ELEMENTARY_FUNCTIONS;                                            \
     return chain<T>(Operator::name, function(a.value), {&a, nullptr, nullptr}); \
   }
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b)            \
-  template <class T>                                                                \
-  Dual<T> function(const Dual<T>& a, const Dual<T>& b) {                            \
-    MBCC_USING_ELEMENTARY_FUNCTIONS;                                                \
-    return chain<T>(Operator::name, function(a.value, b.value), {&a, &b, nullptr}); \
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) \
+  template <class T>                                                                 \
+  Dual<T> function(const Dual<T>& a, const Dual<T>& b) {                             \
+    MBCC_USING_ELEMENTARY_FUNCTIONS;                                                 \
+    return chain<T>(Operator::name, function(a.value, b.value), {&a, &b, nullptr});  \
   }
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c)       \
-  template <class T>                                                                    \
-  Dual<T> function(const Dual<T>& a, const Dual<T>& b, const Dual<T>& c) {              \
-    return chain<T>(Operator::name, function(a.value, b.value, c.value), {&a, &b, &c}); \
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) \
+  template <class T>                                                                          \
+  Dual<T> function(const Dual<T>& a, const Dual<T>& b, const Dual<T>& c) {                    \
+    return chain<T>(Operator::name, function(a.value, b.value, c.value), {&a, &b, &c});       \
   }
 #include "graph/operators.def"
 

@@ -17,14 +17,14 @@ template <class T>
 T perform(Operator op, const std::array<const T*, 3>& operands) {
   MBCC_USING_ELEMENTARY_FUNCTIONS;
   switch (op) {
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) \
-  case Operator::name:                                          \
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a) \
+  case Operator::name:                                                      \
     return function(*operands[0]);
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
-  case Operator::name:                                                   \
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) \
+  case Operator::name:                                                               \
     return function(*operands[0], *operands[1]);
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
-  case Operator::name:                                                            \
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) \
+  case Operator::name:                                                                        \
     return function(*operands[0], *operands[1], *operands[2]);
 #include "graph/operators.def"
   }
@@ -38,14 +38,14 @@ T slope(Operator op, std::size_t which, const T& r, const std::array<const T*, 3
   const T& a = *operands[0];
   [[maybe_unused]] const T& b = operands[1] != nullptr ? *operands[1] : a;
   switch (op) {
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) \
-  case Operator::name:                                          \
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a) \
+  case Operator::name:                                                      \
     return slope_a;
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
-  case Operator::name:                                                   \
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) \
+  case Operator::name:                                                               \
     return which == 0 ? (slope_a) : (slope_b);
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
-  case Operator::name:                                                            \
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) \
+  case Operator::name:                                                                        \
     return which == 0 ? (slope_a) : which == 1 ? (slope_b) : (slope_c);
 #include "graph/operators.def"
   }

@@ -34,13 +34,13 @@ class Feed {
   std::vector<double> second_;  ///< lower triangle by rows
 };
 
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) \
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a) \
   inline Feed function(const Feed& a) { return Feed::chain(Operator::name, {&a, nullptr, nullptr}); }
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) \
   inline Feed function(const Feed& a, const Feed& b) { return Feed::chain(Operator::name, {&a, &b, nullptr}); }
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
-  inline Feed function(const Feed& a, const Feed& b, const Feed& c) {             \
-    return Feed::chain(Operator::name, {&a, &b, &c});                             \
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) \
+  inline Feed function(const Feed& a, const Feed& b, const Feed& c) {                         \
+    return Feed::chain(Operator::name, {&a, &b, &c});                                         \
   }
 #include "graph/operators.def"
 

@@ -95,11 +95,11 @@ class Graph {
 inline const Node& Expr::node() const { return (*graph_)[id_]; }
 
 // clang-format off
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) \
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a) \
   inline Expr function(Expr a) { return a.graph().apply(Operator::name, std::array{a}); }
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) \
   inline Expr function(Expr a, Expr b) { return a.graph().apply(Operator::name, std::array{a, b}); }
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) \
   inline Expr function(Expr a, Expr b, Expr c) { return a.graph().apply(Operator::name, std::array{a, b, c}); }
 #include "graph/operators.def"
 // clang-format on

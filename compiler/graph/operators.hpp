@@ -9,10 +9,16 @@
 namespace mbcc::graph {
 
 enum class Operator : std::uint8_t {
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) name,
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) name,
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) name,
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a) name,
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) name,
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) name,
 #include "graph/operators.def"
+};
+
+/// How the Taylor coefficients of an operator's value follow from those of its operands.
+enum class Recurrence : std::uint8_t {
+#define MBCC_RECURRENCE(name, rule) name,
+#include "graph/recurrences.def"
 };
 
 struct OperatorRow {
@@ -20,15 +26,17 @@ struct OperatorRow {
   std::string_view name;
   std::string_view spelling;  ///< in models
   std::string_view code;      ///< in C++
+  Recurrence recurrence;
   int arity;
 };
 
 inline constexpr std::array operator_table = {
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) OperatorRow{Operator::name, #name, spelling, code, 1},
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
-  OperatorRow{Operator::name, #name, spelling, code, 2},
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
-  OperatorRow{Operator::name, #name, spelling, code, 3},
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a) \
+  OperatorRow{Operator::name, #name, spelling, code, Recurrence::recurrence, 1},
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) \
+  OperatorRow{Operator::name, #name, spelling, code, Recurrence::recurrence, 2},
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) \
+  OperatorRow{Operator::name, #name, spelling, code, Recurrence::recurrence, 3},
 #include "graph/operators.def"
 };
 

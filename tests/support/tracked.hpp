@@ -74,15 +74,15 @@ inline Tracked track(graph::Operator op, const std::array<const Tracked*, 3>& op
   return result;
 }
 
-#define MBCC_OPERATOR1(name, spelling, code, function, slope_a) \
+#define MBCC_OPERATOR1(name, spelling, code, function, recurrence, slope_a) \
   inline Tracked function(const Tracked& a) { return track(graph::Operator::name, {&a, nullptr, nullptr}); }
-#define MBCC_OPERATOR2(name, spelling, code, function, slope_a, slope_b) \
-  inline Tracked function(const Tracked& a, const Tracked& b) {          \
-    return track(graph::Operator::name, {&a, &b, nullptr});              \
+#define MBCC_OPERATOR2(name, spelling, code, function, recurrence, slope_a, slope_b) \
+  inline Tracked function(const Tracked& a, const Tracked& b) {                      \
+    return track(graph::Operator::name, {&a, &b, nullptr});                          \
   }
-#define MBCC_OPERATOR3(name, spelling, code, function, slope_a, slope_b, slope_c) \
-  inline Tracked function(const Tracked& a, const Tracked& b, const Tracked& c) { \
-    return track(graph::Operator::name, {&a, &b, &c});                            \
+#define MBCC_OPERATOR3(name, spelling, code, function, recurrence, slope_a, slope_b, slope_c) \
+  inline Tracked function(const Tracked& a, const Tracked& b, const Tracked& c) {             \
+    return track(graph::Operator::name, {&a, &b, &c});                                        \
   }
 #include "graph/operators.def"
 
