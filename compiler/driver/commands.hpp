@@ -10,7 +10,8 @@ namespace mbcc {
 
 /// What every command that reads a model takes.
 struct ModelArguments {
-  std::string model;  ///< path; `-` is standard input
+  std::string model;   ///< path; `-` is standard input
+  std::string method;  ///< of integration, instead of the model's own; may be empty
   bool strict = false;
   bool werror = false;
   bool json_diagnostics = false;

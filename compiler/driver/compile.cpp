@@ -22,6 +22,12 @@ std::optional<ImportedFile> import_file(Compilation& compilation, const std::str
   return ImportedFile{file, parse(lex(compilation.sources, file, compilation.diagnostics), compilation.diagnostics)};
 }
 
+/// Only a program that names the method carries its recurrences.
+bool wants_series(const model::System& system) {
+  const std::string method = system.integration.method.value_or("");
+  return method == "taylor" || method == "auto";
+}
+
 }  // namespace
 
 Compilation compile(std::string name, std::string text, const CompileOptions& options) {
@@ -44,6 +50,9 @@ Compilation compile(std::string name, std::string text, const CompileOptions& op
   if (c.diagnostics.has_errors() || options.until == Stage::System) {
     return c;
   }
+  if (!options.method.empty()) {
+    c.system->integration.method = options.method;
+  }
   c.equations = mechanics::formulate(*c.system, *c.graph);
   if (options.until == Stage::Equations) {
     return c;
@@ -54,7 +63,7 @@ Compilation compile(std::string name, std::string text, const CompileOptions& op
   if (c.diagnostics.has_errors() || options.until == Stage::Derivatives) {
     return c;
   }
-  c.program = schedule(*c.system, c.equations, c.derivatives, *c.graph);
+  c.program = schedule(*c.system, c.equations, c.derivatives, *c.graph, wants_series(*c.system));
   return c;
 }
 

@@ -38,8 +38,8 @@ int compile_command(const ModelArguments& arguments, const std::string& output, 
   if (!compilation->succeeded(arguments.werror)) {
     return exit_wrong_model;
   }
-  const std::string text =
-      emit(*compilation->program, *compilation->system, compilation->sources, {library, arguments.strict});
+  const std::string text = emit(*compilation->program, *compilation->system, compilation->sources,
+                                {library, arguments.strict, arguments.method});
   if (!write_file(output, text)) {
     return refuse(fmt::format("cannot write `{}`", output));
   }

@@ -40,7 +40,7 @@ InterpretedModel::InterpretedModel(const program::Program& program, const model:
       case Kind::Acceleration:
         rate_leaves_.push_back({id, coordinates_ + node.index});
         break;
-      case Kind::Apply:
+      default:  // applications, and leaves of series, which are not interpreted
         break;
     }
   }

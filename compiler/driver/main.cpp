@@ -53,6 +53,7 @@ int compile_main(const std::vector<std::string>& words) {
   app.add_option("MODEL", arguments.model, "model file, - for standard input")->required();
   app.add_option("-o", output, "file to write, - for standard output");
   app.add_flag("--library", library, "emit the class alone: no main, no allocation, no streams");
+  app.add_option("--method", arguments.method, "method of integration, instead of the model's own");
   app.add_option("--depfile", depfile, "also write the files that the output depends on, for make and ninja");
   add_model_arguments(app, arguments);
   if (const auto code = parse(app, words)) {
@@ -62,6 +63,18 @@ int compile_main(const std::vector<std::string>& words) {
     return refuse("where should the program go: name a file with `-o`, `-o -` for standard output");
   }
   return compile_command(arguments, output, library, depfile);
+}
+
+/// The method among the flags of a simulation that needs code of its own; empty for the others.
+std::string recompiled_method(const std::vector<std::string>& flags) {
+  for (const std::string method : {"taylor", "auto"}) {
+    const bool joined = std::find(flags.begin(), flags.end(), "--method=" + method) != flags.end();
+    const std::array apart{std::string("--method"), method};
+    if (joined || std::search(flags.begin(), flags.end(), apart.begin(), apart.end()) != flags.end()) {
+      return method;
+    }
+  }
+  return {};
 }
 
 /// What mbcc does not know is for the simulation.
@@ -83,6 +96,7 @@ int run_main(const std::vector<std::string>& words) {
     return *code;
   }
   const std::vector<std::string> flags = app.remaining();
+  arguments.method = recompiled_method(flags);
   arguments.assembles = std::find(flags.begin(), flags.end(), "--assemble") != flags.end();
   return run_command(arguments, cxx_flags, flags, plot);
 }

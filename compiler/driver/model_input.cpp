@@ -37,7 +37,8 @@ std::optional<Compilation> compile_model(const ModelArguments& arguments, Stage 
     return std::nullopt;
   }
   const std::string name = arguments.model == "-" ? "model.mbd" : arguments.model;
-  Compilation compilation = compile(name, std::move(*text), {arguments.strict, until, arguments.assembles});
+  Compilation compilation =
+      compile(name, std::move(*text), {arguments.strict, until, arguments.assembles, arguments.method});
   show(compilation, arguments);
   return compilation;
 }

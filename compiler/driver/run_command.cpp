@@ -63,7 +63,8 @@ int simulate(const Compilation& compilation, const ModelArguments& arguments, co
     InterpretedModel model(*compilation.program, system, compilation.sources);
     return mbrt::simulate<mbrt::Dop853>(model, static_cast<int>(words.size()), argv.data());
   }
-  const std::string text = emit(*compilation.program, system, compilation.sources, {false, arguments.strict});
+  const std::string text =
+      emit(*compilation.program, system, compilation.sources, {false, arguments.strict, arguments.method});
   const BuildResult built = build_program(text, *compiler, split_words(cxx_flags));
   if (built.interrupted) {
     return exit_interrupted;

@@ -36,6 +36,7 @@ int verify_command(const ModelArguments& arguments, const std::string& emitted) 
   }
   ModelArguments as_emitted = arguments;
   as_emitted.strict |= options->strict;
+  as_emitted.method = options->method;
   const std::optional<Compilation> compilation = compile_model(as_emitted, Stage::Program);
   if (!compilation) {
     return exit_wrong_usage;

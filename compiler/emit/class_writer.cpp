@@ -94,6 +94,7 @@ std::string ClassWriter::functions() const {
   text += initial_state();
   text += set_time();
   text += rates();
+  text += program_.series ? series() : "";
   text += program_.islands.empty() ? "" : island_functions();
   text += system_.constraints.empty() ? "" : constraint_errors();
   text += program_.energy.sections.front().has_stores() ? energy() : "";
@@ -174,6 +175,27 @@ std::string ClassWriter::rates() const {
                   fmt::format("{}void rates(const State& {}, State& {}){}", inlining, argument("y", rates.reads_state),
                               argument("rate", !rates.text.empty()), program_.islands.empty() ? " const" : ""),
                   rates.text);
+}
+
+/// The pass of Note [series] (program/series_plan.hpp).
+std::string ClassWriter::series() const {
+  const program::SeriesKernels& series = *program_.series;
+  const Opening start = write_opening(series.start, program_, naming_);
+  const Opening fast = write_opening(series.fast, program_, start.within);
+  const Body slow = write_kernel(series.slow, program_, fast.within, {});
+  const Body solve = write_kernel(series.solve, program_, fast.within, {});
+  std::string body = start.body.text;
+  body += "s.clear_sums();\nfor (std::size_t j = 0; j < y.size(); ++j) {\n  s.state[0][j] = y[j];\n}\n";
+  body += "for (std::size_t k = 0; k < order; ++k) {\n" + indent(fast.body.text);
+  body += slow.text.empty() ? "" : "  if (k > 0) {\n" + indent(indent(slow.text)) + "  }\n";
+  body += "  s.sum(k + 2);\n" + indent(solve.text) + "}\nreturn true;\n";
+  return fmt::format(
+             "\n/// Where `expand` computes: of coordinates, speeds, and lanes of products, squares and slow squares.\n"
+             "using Series = mbrt::Series<coordinates, speeds, {}, {}, {}>;\n",
+             series.products, series.squares, series.slow_squares) +
+         function(
+             "Taylor coefficients of the motion through `y`, up to `order`. False where the plain solve is not safe.",
+             "bool expand(const State& y, std::size_t order, Series& s)", body);
 }
 
 std::string ClassWriter::island_functions() const {

@@ -28,6 +28,7 @@ class ClassWriter {
   std::string initial_state() const;
   std::string set_time() const;
   std::string rates() const;
+  std::string series() const;
   std::string island_functions() const;
   std::string constraint_errors() const;
   std::string energy() const;

@@ -26,7 +26,8 @@ std::string namespace_of(std::string_view model_file) {
 }
 
 std::string options_text(const EmitOptions& options) {
-  return std::string(options.library ? " --library" : "") + (options.strict ? " --strict" : "");
+  return std::string(options.library ? " --library" : "") + (options.strict ? " --strict" : "") +
+         (options.method.empty() ? "" : " --method " + options.method);
 }
 
 /// A method of the runtime: its header and its name there.
@@ -67,6 +68,7 @@ std::string emit(const program::Program& program, const model::System& system, c
                 {"version", std::string(version)},
                 {"source", comment_text(base_name(model_file))},
                 {"options", options_text(options)},
+                {"series_include", program.series ? "#include <mbrt/series.hpp>\n" : ""},
                 {"model_class", model_class}};
   if (!options.library) {
     const MethodCode method = method_of(system.integration);
@@ -86,7 +88,9 @@ std::optional<EmitOptions> options_of(std::string_view emitted) {
   std::string_view line = emitted.substr(at + key.size());
   line = line.substr(0, line.find('\n'));
   const auto names = [&](std::string_view option) { return line.find(option) != std::string_view::npos; };
-  return EmitOptions{names(" --library"), names(" --strict")};
+  constexpr std::string_view method = " --method ";
+  return EmitOptions{names(" --library"), names(" --strict"),
+                     names(method) ? std::string(line.substr(line.find(method) + method.size())) : ""};
 }
 
 }  // namespace mbcc

@@ -62,10 +62,25 @@ class KernelWriter {
         write_island(kernel_.islands[at], rolled_[s]);
       }
     }
-    for (const NodeId id : kernel_.provides) {
-      line(fmt::format("{} = {};", naming_.members.at(id), code_of(id).text));
+    if (kernel_.level < Level::State) {
+      for (const NodeId id : kernel_.provides) {
+        line(fmt::format("{} = {};", naming_.members.at(id), code_of(id).text));
+      }
     }
     return std::move(body_);
+  }
+
+  /// After write(): the names of what stands in the function by now.
+  Naming within() const {
+    Naming naming = naming_;
+    naming.scope = scope_;
+    for (const auto& [leaf, id] : unpacked_leaves_) {
+      naming.members[id] = codes_.at(id).text;
+    }
+    for (const NodeId id : kernel_.provides) {
+      naming.members[id] = code_of(id).text;
+    }
+    return naming;
   }
 
  private:
@@ -111,7 +126,7 @@ class KernelWriter {
             const Kind kind = graph_[id].kind;
             body_.reads_state |= kind == Kind::Coordinate || kind == Kind::Speed;
             body_.reads_rate |= kind == Kind::Acceleration;
-            if (kind != Kind::Apply && kind != Kind::Constant && (!is_loop || kind == Kind::Time)) {
+            if (is_unpacked(kind, is_loop) && !naming_.members.contains(id)) {
               unpacked_leaves_.emplace(std::pair{kind, graph_[id].index}, id);
             }
           });
@@ -119,8 +134,15 @@ class KernelWriter {
       }
     }
     for (const NodeId id : kernel_.provides) {
-      ++uses_[id];
+      uses_[id] += 2;  // worth a name
     }
+  }
+
+  /// Scalars have a name of their own everywhere, components of the state outside of loops, rows of series nowhere.
+  static bool is_unpacked(Kind kind, bool in_loop) {
+    const bool is_scalar =
+        kind == Kind::Time || kind == Kind::Order || kind == Kind::InverseOrder || kind == Kind::Impulse;
+    return is_scalar || (kind > Kind::Constant && kind <= Kind::Acceleration && !in_loop);
   }
 
   void unpack_leaves() {
@@ -289,7 +311,7 @@ class KernelWriter {
 
   void write_island(const IslandSolve& island, const RolledSection& rolled) {
     if (island.always_climbs) {
-      write_climb(island.island);
+      write_unsafe(island);
       return;
     }
     // One flag and one branch: the pivot tests then cost next to nothing.
@@ -303,9 +325,17 @@ class KernelWriter {
     if (guarded) {
       line(fmt::format("if (!{}) [[unlikely]] {{", safe_));
       indentation_ = "  ";
-      write_climb(island.island);
+      write_unsafe(island);
       indentation_ = "";
       line("}");
+    }
+  }
+
+  void write_unsafe(const IslandSolve& island) {
+    if (island.refuses) {
+      line("return false;");
+    } else {
+      write_climb(island.island);
     }
   }
 
@@ -438,6 +468,9 @@ class KernelWriter {
     if (node.kind == Kind::Constant) {
       return literal(node.value);
     }
+    if (node.kind > Kind::Acceleration && node.kind < Kind::Apply) {
+      return {Naming::source_of_leaf(node.kind, std::to_string(node.index)), Binding::Primary};
+    }
     const auto member = naming_.members.find(id);
     MBCC_ASSERT(member != naming_.members.end());
     return {member->second, Binding::Primary};
@@ -480,6 +513,12 @@ std::string affine(long first, long stride, const std::string& i) {
     return fmt::format("{} - {}", first, steps);
   }
   return first == 0 ? steps : fmt::format("{} + {}", steps, first);
+}
+
+Opening write_opening(const Kernel& kernel, const Program& program, const Naming& naming) {
+  KernelWriter writer(kernel, program, naming);
+  Body body = writer.write({});
+  return {std::move(body), writer.within()};
 }
 
 Body write_kernel(const Kernel& kernel, const Program& program, const Naming& naming, const Comments& comments) {

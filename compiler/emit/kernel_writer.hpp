@@ -26,6 +26,14 @@ struct Body {
 Body write_kernel(const program::Kernel& kernel, const program::Program& program, const Naming& naming,
                   const Comments& comments);
 
+/// A kernel that opens a function: what it provides is local, and has the names of `within` in the rest of the
+/// function.
+struct Opening {
+  Body body;
+  Naming within;
+};
+Opening write_opening(const program::Kernel& kernel, const program::Program& program, const Naming& naming);
+
 /// `first + stride * i` without what is nothing: "4", "i", "3 * i + 4", "98 - 2 * i".
 std::string affine(long first, long stride, const std::string& i);
 

@@ -111,6 +111,11 @@ constexpr std::array reserved = {"alignas",
                                  "y",
                                  "rate",
                                  "rows",
+                                 "k",
+                                 "s",
+                                 "order",
+                                 "Series",
+                                 "expand",
                                  "added",
                                  "t",
                                  "position",
@@ -148,9 +153,10 @@ constexpr std::array reserved = {"alignas",
                                  "M_E",
                                  "i386"};
 
-/// Emitted classes have functions `rows_1`, `climb_1`, ...
+/// Emitted classes have functions `rows_1`, `climb_1`, ..., and numbers `order_1`, ...
 bool is_reserved(std::string_view name) {
-  return name.starts_with("rows_") || name.starts_with("climb_") ||
+  constexpr std::array prefixes = {"rows_", "climb_", "order_", "inverse_", "impulse_"};
+  return std::any_of(prefixes.begin(), prefixes.end(), [&](const char* prefix) { return name.starts_with(prefix); }) ||
          std::any_of(reserved.begin(), reserved.end(), [&](const char* word) { return name == word; });
 }
 

@@ -16,6 +16,12 @@ std::string Naming::name_of_leaf(Kind kind, std::uint32_t index) const {
       return accelerations[index];
     case Kind::Parameter:
       return parameters[index];
+    case Kind::Order:
+      return fmt::format("order_{}", index);
+    case Kind::InverseOrder:
+      return fmt::format("inverse_{}", index);
+    case Kind::Impulse:
+      return fmt::format("impulse_{}", index);
     default:
       return "t";
   }
@@ -30,6 +36,24 @@ std::string Naming::source_of_leaf(Kind kind, const std::string& index) {
       return fmt::format("rate[{}]", index);
     case Kind::Parameter:
       return fmt::format("parameters_[{}]", index);
+    case Kind::StateNow:
+      return fmt::format("s.state[k][{}]", index);
+    case Kind::StateNext:
+      return fmt::format("s.state[k + 1][{}]", index);
+    case Kind::FreeNow:
+      return fmt::format("s.free[{}]", index);
+    case Kind::ProductSum:
+      return fmt::format("s.product_sums[{}]", index);
+    case Kind::SquareSum:
+      return fmt::format("s.square_sums[{}]", index);
+    case Kind::SlowSquareSum:
+      return fmt::format("s.slow_square_sums[{}]", index);
+    case Kind::Order:
+      return fmt::format("mbrt::order_numbers[k + {}]", index);
+    case Kind::InverseOrder:
+      return fmt::format("mbrt::inverse_orders[k + {}]", index);
+    case Kind::Impulse:
+      return fmt::format("k + {} == 1 ? 1.0 : 0.0", index);
     default:
       return "t_";
   }

@@ -33,6 +33,26 @@ std::string_view array_of(Target target) {
     case Target::Output:
     case Target::Force:
       return "values";
+    case Target::CoordinateFirst:
+      return "s.state[1]";
+    case Target::FreeNow:
+      return "s.free";
+    case Target::LeftNext:
+      return "s.left[k + 1]";
+    case Target::LeftNow:
+      return "s.left[k]";
+    case Target::RightNext:
+      return "s.right[k + 1]";
+    case Target::RightLate:
+      return "s.right[k + 2]";
+    case Target::SquareNext:
+      return "s.squares[k + 1]";
+    case Target::SlowSquareNow:
+      return "s.slow_squares[k]";
+    case Target::SpeedNext:
+      return "s.state[k + 1]";
+    case Target::CoordinateLate:
+      return "s.state[k + 2]";
     case Target::Energy:
       break;
   }

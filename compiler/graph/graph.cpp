@@ -42,7 +42,10 @@ Expr Graph::leaf(Kind kind, std::uint32_t index) {
   Node node;
   node.kind = kind;
   node.index = index;
-  node.level = kind == Kind::Parameter ? Level::Parameter : kind == Kind::Time ? Level::Time : Level::State;
+  node.level = kind == Kind::Parameter      ? Level::Parameter
+               : kind == Kind::Time         ? Level::Time
+               : kind <= Kind::Acceleration ? Level::State
+                                            : Level::Order;
   return intern(node);
 }
 

@@ -12,10 +12,21 @@
 
 namespace mbcc::graph {
 
-/// How often a value has to be computed: once ever, once per run, once per time, once per state.
-enum class Level : std::uint8_t { Constant, Parameter, Time, State };
+/// How often a value has to be computed: once ever, once per run, once per time, once per state, once per order of the
+/// Taylor series from a state.
+enum class Level : std::uint8_t { Constant, Parameter, Time, State, Order };
 
-enum class Kind : std::uint8_t { Constant, Parameter, Time, Coordinate, Speed, Acceleration, Apply };
+enum class Kind : std::uint8_t {
+  Constant,
+  Parameter,
+  Time,
+  Coordinate,
+  Speed,
+  Acceleration,
+#define MBCC_SERIES_LEAF(name, meaning) name,
+#include "graph/series_leaves.def"
+  Apply
+};
 
 /// Index of a node; operands have smaller indices than the nodes that use them.
 using NodeId = std::uint32_t;
@@ -24,7 +35,7 @@ struct Node {
   Kind kind = Kind::Constant;
   Operator op = Operator::Add;    ///< of Apply
   Level level = Level::Constant;  ///< the largest of the operands'
-  std::uint32_t index = 0;        ///< of Parameter, Coordinate, Speed, Acceleration
+  std::uint32_t index = 0;        ///< of leaves of which there are several
   double value = 0;               ///< of Constant
   std::array<NodeId, 3> operands{};
 

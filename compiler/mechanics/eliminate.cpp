@@ -188,7 +188,8 @@ Expr entry_along(const Row& row, std::size_t speed) {
 /// A itself does not square its condition, so that the guard may be looser than that of LDL^T by `square_leeway`: with
 /// det A = |a_1| |a_2| sin(phi), it asks for sin^2(phi) >= 1e-12, and the error is near eps / sin(phi) <= 1e-10.
 /// det^2 stands for d_2 S_11, which it equals.
-void eliminate_square(const Island& island, const Derivatives& derivatives, Elimination& result) {
+void eliminate_square(const Island& island, const Derivatives& derivatives, const RightSides& right,
+                      Elimination& result) {
   constexpr double square_leeway = 1e-8;
   const Row& first = derivatives.rows[island.rows[0]];
   const Row& second = derivatives.rows[island.rows[1]];
@@ -204,8 +205,8 @@ void eliminate_square(const Island& island, const Derivatives& derivatives, Elim
   const Expr s1 = result.pivots[0].diagonal;
   const Expr s2 = result.pivots[1].diagonal;
   result.pivots[1] = {island.rows[1], number(a, square_leeway) * (s1 * s2), determinant * determinant * mobilities, s1};
-  const Expr b1 = as_solved(first, first.b);
-  const Expr b2 = as_solved(second, second.b);
+  const Expr b1 = right.b[0];
+  const Expr b2 = right.b[1];
   result.accelerations = {reciprocal * (d * b1 - b * b2), reciprocal * (a * b2 - c * b1)};
   const Expr force_p = (result.accelerations[0] - derivatives.free[p]) / derivatives.mobility[p];
   const Expr force_q = (result.accelerations[1] - derivatives.free[q]) / derivatives.mobility[q];
@@ -214,19 +215,31 @@ void eliminate_square(const Island& island, const Derivatives& derivatives, Elim
 
 }  // namespace
 
+bool rows_determine(const Island& island) { return island.rows.size() == 2 && island.speeds.size() == 2; }
+
 Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph) {
+  RightSides right;
+  for (const std::size_t k : island.rows) {
+    const Row& row = derivatives.rows[k];
+    right.b.push_back(as_solved(row, row.b));
+    right.residual.push_back(as_solved(row, row.residual));
+  }
+  return eliminate(island, derivatives, right, graph);
+}
+
+Elimination eliminate(const Island& island, const Derivatives& derivatives, const RightSides& right,
+                      graph::Graph& graph) {
   std::vector<Sparse> columns = assemble(island, derivatives);  // becomes L D, column by column
   const std::size_t size = columns.size();
   Elimination result;
   list_in_model_order(island, derivatives, columns, result);
   for (std::size_t k = 0; k < size; ++k) {
-    const Row& row = derivatives.rows[island.rows[k]];
     result.pivots.push_back({island.rows[k], columns[k].at(k), columns[k].at(k), graph.constant(1)});
-    result.forward.push_back(as_solved(row, row.residual));
   }
+  result.forward = right.residual;
   result.multipliers.assign(size, graph.constant(0));
-  if (size == 2 && island.speeds.size() == 2) {
-    eliminate_square(island, derivatives, result);
+  if (rows_determine(island)) {
+    eliminate_square(island, derivatives, right, result);
     return result;
   }
   if (size == 2 && columns[0].contains(1)) {

@@ -29,6 +29,21 @@ struct Elimination {
   std::vector<Expr> accelerations;                  ///< u' = a + M^-1 A^T z per speed of the island
 };
 
+/// The right-hand sides of an island's rows as solved, in elimination order.
+struct RightSides {
+  std::vector<Expr> b;         ///< of A u' = b
+  std::vector<Expr> residual;  ///< b - A a
+};
+
+/// Whether the rows alone determine the accelerations, so that `eliminate` reads b of the right-hand sides; it reads
+/// the residuals otherwise.
+bool rows_determine(const Island& island);
+
+/// The solve of the accelerations at a state.
 Elimination eliminate(const Island& island, const Derivatives& derivatives, graph::Graph& graph);
+
+/// The same matrix with other right-hand sides.
+Elimination eliminate(const Island& island, const Derivatives& derivatives, const RightSides& right,
+                      graph::Graph& graph);
 
 }  // namespace mbcc::mechanics

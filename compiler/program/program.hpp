@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -92,13 +93,25 @@ struct IslandSolve {
   std::size_t island;
   Section solve;               ///< rows, pivots, multipliers, accelerations
   bool always_climbs = false;  ///< more rows than speeds, or pivots constant and not safe: no solve
+  bool refuses = false;        ///< rather than climb, the kernel gives up
 };
 
 struct Kernel {
   Level level = Level::State;
   std::vector<Section> sections;
-  std::vector<IslandSolve> islands;  ///< after the sections; only in `rates`
-  std::vector<NodeId> provides;      ///< values that kernels of higher levels read; only in `prepare` and `time`
+  std::vector<IslandSolve> islands;  ///< after the sections; only in `rates`, and in the start of a series
+  std::vector<NodeId> provides;      ///< values that kernels of higher levels read
+};
+
+/// The pass through the recurrences of a Taylor series: Note [series] in series_plan.hpp.
+struct SeriesKernels {
+  Kernel start;  ///< of level State: what all orders read, and the guards of the factorisation
+  Kernel fast;   ///< the rest of level Order
+  Kernel slow;
+  Kernel solve;
+  std::size_t products = 0;  ///< lanes
+  std::size_t squares = 0;
+  std::size_t slow_squares = 0;
 };
 
 /// Rows (constraints) in elimination order and speeds of an island, as indices into the System's.
@@ -122,6 +135,7 @@ struct Program {
   Kernel energy;  ///< without stores where the energy is not known
   Kernel outputs;
   Kernel applied_forces;
+  std::optional<SeriesKernels> series;  ///< where a method wants it
 };
 
 }  // namespace mbcc::program

@@ -5,6 +5,7 @@
 
 #include "program/lower.hpp"
 #include "program/plan.hpp"
+#include "program/series_plan.hpp"
 
 namespace mbcc {
 
@@ -17,8 +18,11 @@ using graph::Kind;
 /// Puts what is wanted into kernels, and collects on the way what earlier kernels have to provide.
 class Scheduler {
  public:
-  Scheduler(const Plan& plan, Program& program) : lowering_(plan.roots(), *program.graph), program_(program) {
-    for (const auto& [value, name] : plan.names) {
+  /// `roots` is all that kernels are asked for.
+  Scheduler(const std::vector<graph::Expr>& roots, const std::vector<std::pair<graph::Expr, std::string>>& names,
+            Program& program)
+      : lowering_(roots, *program.graph), program_(program) {
+    for (const auto& [value, name] : names) {
       if (lowering_.contains(value)) {
         program.names.try_emplace(lowering_(value), name);
       }
@@ -44,12 +48,48 @@ class Scheduler {
     return kernel;
   }
 
+  SeriesKernels series(const SeriesPlan& plan) {
+    SeriesKernels series;
+    series.fast = kernel(Level::Order, plan.fast);
+    series.slow = kernel(Level::Order, plan.slow);
+    series.solve = kernel(Level::Order, plan.solve);
+    std::set<NodeId> computed;
+    series.start.sections.push_back(section(Level::State, plan.start, computed));
+    provide(Level::State, computed, series.start);
+    for (std::size_t i = 0; i < plan.pivots.size(); ++i) {
+      IslandSolve& island = series.start.islands.emplace_back();
+      island.island = i;
+      island.refuses = true;
+      island.always_climbs = must_climb(plan.pivots[i], program_.islands[i].speeds.size());
+      for (std::size_t k = 0; k < plan.pivots[i].size(); ++k) {
+        add_guard(k, plan.pivots[i][k], computed, island.solve.units.emplace_back());
+      }
+    }
+    series.products = plan.products;
+    series.squares = plan.squares;
+    series.slow_squares = plan.slow_squares;
+    return series;
+  }
+
   /// The kernel of a level below State: what kernels after it asked for.
   Kernel provider(Level level) {
     Kernel kernel;
     kernel.level = level;
-    Section section;
     std::set<NodeId> computed;
+    provide(level, computed, kernel);
+    return kernel;
+  }
+
+  /// Takes over what the kernels of another scheduler of the same program asked for.
+  void join(const Scheduler& other) {
+    for (std::size_t level = 0; level < needed_.size(); ++level) {
+      needed_[level].insert(other.needed_[level].begin(), other.needed_[level].end());
+    }
+  }
+
+ private:
+  void provide(Level level, std::set<NodeId>& computed, Kernel& kernel) {
+    Section section;
     for (const NodeId id : needed_[static_cast<std::size_t>(level)]) {
       Unit unit;
       visit(id, level, computed, unit.order);
@@ -57,10 +97,8 @@ class Scheduler {
       kernel.provides.push_back(id);
     }
     kernel.sections.push_back(std::move(section));
-    return kernel;
   }
 
- private:
   /// One unit for each run of `wanted` of the same group.
   Section section(Level level, const std::vector<Wanted>& wanted, std::set<NodeId>& computed) {
     Section section;
@@ -83,7 +121,7 @@ class Scheduler {
   /// Appends `id` and what it needs to `order`, operands first, except what is computed or known already.
   void visit(NodeId id, Level level, std::set<NodeId>& computed, std::vector<NodeId>& order) {
     const graph::Node& node = (*program_.graph)[id];
-    program_.keeps_time |= node.kind == Kind::Time && level == Level::State;
+    program_.keeps_time |= node.kind == Kind::Time && level >= Level::State;
     if (node.kind != Kind::Apply || computed.contains(id)) {
       return;
     }
@@ -129,14 +167,21 @@ class Scheduler {
   }
 
   /// Whether the plain solve can never stand: more rows than speeds make S singular, and constant pivots may be unsafe.
-  static bool must_climb(const IslandPlan& plan) {
-    const std::vector<mechanics::Pivot>& pivots = plan.elimination.pivots;
-    return pivots.size() > plan.accelerations.size() ||
-           std::any_of(pivots.begin(), pivots.end(), [&](const mechanics::Pivot& pivot) {
+  static bool must_climb(const std::vector<mechanics::Pivot>& pivots, std::size_t speeds) {
+    return pivots.size() > speeds || std::any_of(pivots.begin(), pivots.end(), [&](const mechanics::Pivot& pivot) {
              const double value = pivot.pivot.node().value;
              return is_known(pivot) &&
                     !(value > 0 && value >= plain_pivot_ratio(pivots.size()) * pivot.diagonal.node().value);
            });
+  }
+
+  void add_guard(std::size_t k, const mechanics::Pivot& pivot, std::set<NodeId>& computed, Unit& unit) {
+    if (!is_known(pivot)) {
+      for (const graph::Expr value : {pivot.pivot, pivot.diagonal, pivot.scale}) {
+        visit(lowering_(value), Level::State, computed, unit.order);
+      }
+      unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot), lowering_(pivot.scale)});
+    }
   }
 
   /// Rows in the order of the model, pivots in the order of elimination, multipliers backwards, accelerations.
@@ -144,7 +189,7 @@ class Scheduler {
     IslandSolve solve;
     solve.island = index;
     const mechanics::Elimination& elimination = plan.elimination;
-    if (must_climb(plan)) {
+    if (must_climb(plan.elimination.pivots, plan.accelerations.size())) {
       solve.always_climbs = true;
       return solve;
     }
@@ -163,12 +208,7 @@ class Scheduler {
     }
     for (std::size_t k = 0; k < elimination.pivots.size(); ++k) {
       const mechanics::Pivot& pivot = elimination.pivots[k];
-      Unit& unit = add_unit({pivot.pivot, elimination.forward[k]});
-      if (!is_known(pivot)) {
-        visit(lowering_(pivot.diagonal), Level::State, computed, unit.order);
-        visit(lowering_(pivot.scale), Level::State, computed, unit.order);
-        unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot), lowering_(pivot.scale)});
-      }
+      add_guard(k, pivot, computed, add_unit({pivot.pivot, elimination.forward[k]}));
     }
     for (const graph::Expr quotient : elimination.quotients) {
       add_unit({quotient});
@@ -187,7 +227,7 @@ class Scheduler {
 
   Lowering lowering_;
   Program& program_;
-  std::array<std::set<NodeId>, 4> needed_;  ///< by level, of values that later kernels read
+  std::array<std::set<NodeId>, 5> needed_;  ///< by level, of values that later kernels read
 };
 
 }  // namespace
@@ -195,14 +235,14 @@ class Scheduler {
 }  // namespace program
 
 program::Program schedule(const model::System& system, const mechanics::Equations& equations,
-                          const mechanics::Derivatives& derivatives, graph::Graph& graph) {
+                          const mechanics::Derivatives& derivatives, graph::Graph& graph, bool with_series) {
   using namespace program;
   const Plan plan = make_plan(system, equations, derivatives, graph);
   Program program;
   for (const mechanics::Island& island : derivatives.islands) {
     program.islands.push_back({island.rows, island.speeds});
   }
-  Scheduler scheduler(plan, program);
+  Scheduler scheduler(plan.roots(), plan.names, program);
   program.initial = scheduler.kernel(Level::Parameter, plan.initial);
   program.rates = scheduler.rates(plan);
   for (const IslandPlan& island : plan.islands) {
@@ -212,6 +252,12 @@ program::Program schedule(const model::System& system, const mechanics::Equation
   program.energy = scheduler.kernel(Level::State, plan.energy);
   program.outputs = scheduler.kernel(Level::State, plan.outputs);
   program.applied_forces = scheduler.kernel(Level::State, plan.applied_forces);
+  if (with_series) {
+    const SeriesPlan series = plan_series(system, equations, derivatives, graph);
+    Scheduler series_scheduler(series.roots(), plan.names, program);  // lowers apart: other kernels stay as they are
+    program.series = series_scheduler.series(series);
+    scheduler.join(series_scheduler);
+  }
   program.time = scheduler.provider(Level::Time);
   program.prepare = scheduler.provider(Level::Parameter);
   return program;

@@ -7,9 +7,10 @@
 
 namespace mbcc {
 
-/// Adds the symbolic elimination to `graph`; the Program owns a graph of its own.
+/// Adds the symbolic elimination to `graph`; the Program owns a graph of its own. `with_series`: has what method
+/// `taylor` needs.
 program::Program schedule(const model::System& system, const mechanics::Equations& equations,
-                          const mechanics::Derivatives& derivatives, graph::Graph& graph);
+                          const mechanics::Derivatives& derivatives, graph::Graph& graph, bool with_series);
 
 std::string print(const program::Program& program, const model::System& system);  ///< for `dump --stage=program`
 

@@ -1,0 +1,167 @@
+#pragma once
+// Storage and convolutions for the Taylor series of a motion. Emitted code computes the coefficients (Note [series] in
+// the compiler's program/series_plan.hpp); what all models share is here: rows of operands, a row for each order, and
+// the sums of products of their rows.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+namespace mbrt {
+
+/// More would not pay: the order that a tolerance of 1e-16 asks for is 20.
+inline constexpr std::size_t largest_order = 30;
+
+namespace lanes {
+
+#if defined(__AVX512F__)
+inline constexpr std::size_t width = 8;
+#elif defined(__AVX__)
+inline constexpr std::size_t width = 4;
+#else
+inline constexpr std::size_t width = 2;
+#endif
+
+/// A vector of the machine, which both compilers know how to add and multiply.
+using Vector [[gnu::vector_size(width * sizeof(double))]] = double;
+
+/// Vectors summed at once: enough to hide the latency of an addition, few enough for the registers.
+inline constexpr std::size_t at_once = 8;
+/// Rows are this many doubles or a multiple of it: whole vectors of any machine.
+inline constexpr std::size_t granule = 8;
+
+constexpr std::size_t padded(std::size_t count) { return (count + granule - 1) / granule * granule; }
+constexpr std::size_t vectors(std::size_t count) { return (count + width - 1) / width; }
+
+[[gnu::always_inline]] inline Vector load(const double* from) {
+  Vector vector;
+  std::memcpy(&vector, from, sizeof vector);
+  return vector;
+}
+[[gnu::always_inline]] inline void store(const Vector& vector, double* to) { std::memcpy(to, &vector, sizeof vector); }
+
+/// sums[V] = sum over first <= j < last of left_j right_(m-j), for so many neighbouring vectors.
+template <std::size_t Stride, std::size_t... V>
+[[gnu::always_inline]] inline void convolve(const double* left, const double* right, std::size_t first,
+                                            std::size_t last, std::size_t m, Vector* sums, std::index_sequence<V...>) {
+  ((sums[V] = Vector{}), ...);
+  for (std::size_t j = first; j < last; ++j) {
+    const double* const a = left + j * Stride;
+    const double* const b = right + (m - j) * Stride;
+    ((sums[V] += load(a + V * width) * load(b + V * width)), ...);
+  }
+}
+
+}  // namespace lanes
+
+/// Operands of so many lanes, by order.
+template <std::size_t Lanes>
+using Rows = std::array<std::array<double, lanes::padded(Lanes)>, largest_order + 3>;
+
+/// sums[i] = sum of left_j[i] right_(m-j)[i] over 0 < j < m.
+template <std::size_t Lanes>
+void sum_products(const Rows<Lanes>& left, const Rows<Lanes>& right, std::size_t m, double* sums) {
+  constexpr std::size_t stride = lanes::padded(Lanes);
+  constexpr std::size_t total = lanes::vectors(Lanes);
+  const auto chunk = [&]<std::size_t Count>(std::size_t at, std::integral_constant<std::size_t, Count>) {
+    lanes::Vector accumulated[Count];
+    lanes::convolve<stride>(left[0].data() + at, right[0].data() + at, 1, m, m, accumulated,
+                            std::make_index_sequence<Count>{});
+    for (std::size_t v = 0; v < Count; ++v) {
+      lanes::store(accumulated[v], sums + at + v * lanes::width);
+    }
+  };
+  for (std::size_t v = 0; v + lanes::at_once <= total; v += lanes::at_once) {
+    chunk(v * lanes::width, std::integral_constant<std::size_t, lanes::at_once>{});
+  }
+  if constexpr (total % lanes::at_once != 0) {
+    chunk(total / lanes::at_once * lanes::at_once * lanes::width,
+          std::integral_constant<std::size_t, total % lanes::at_once>{});
+  }
+}
+
+/// sums[i] = sum of x_j[i] x_(m-j)[i] over 0 < j < m, with half the multiplications.
+template <std::size_t Lanes>
+void sum_squares(const Rows<Lanes>& x, std::size_t m, double* sums) {
+  constexpr std::size_t stride = lanes::padded(Lanes);
+  constexpr std::size_t total = lanes::vectors(Lanes);
+  const auto chunk = [&]<std::size_t Count>(std::size_t at, std::integral_constant<std::size_t, Count>) {
+    lanes::Vector accumulated[Count];
+    lanes::convolve<stride>(x[0].data() + at, x[0].data() + at, 1, (m + 1) / 2, m, accumulated,
+                            std::make_index_sequence<Count>{});
+    for (std::size_t v = 0; v < Count; ++v) {
+      lanes::Vector sum = accumulated[v] + accumulated[v];
+      if (m % 2 == 0) {
+        const lanes::Vector middle = lanes::load(x[m / 2].data() + at + v * lanes::width);
+        sum += middle * middle;
+      }
+      lanes::store(sum, sums + at + v * lanes::width);
+    }
+  };
+  for (std::size_t v = 0; v + lanes::at_once <= total; v += lanes::at_once) {
+    chunk(v * lanes::width, std::integral_constant<std::size_t, lanes::at_once>{});
+  }
+  if constexpr (total % lanes::at_once != 0) {
+    chunk(total / lanes::at_once * lanes::at_once * lanes::width,
+          std::integral_constant<std::size_t, total % lanes::at_once>{});
+  }
+}
+
+/// The coefficients of the motion of a model with `Coordinates` and `Speeds`, and the lanes that they take.
+template <std::size_t Coordinates, std::size_t Speeds, std::size_t Products, std::size_t Squares,
+          std::size_t SlowSquares>
+struct Series {
+  static constexpr std::size_t size = Coordinates + Speeds;
+
+  /// y(t + h) = sum of state[k] h^k. Coordinates are known to one order more than was asked for.
+  std::array<std::array<double, size>, largest_order + 3> state{};
+  std::array<double, Speeds> free{};  ///< accelerations without constraints, at the order of the pass
+
+  alignas(64) Rows<Products> left{};
+  alignas(64) Rows<Products> right{};
+  alignas(64) Rows<Squares> squares{};
+  alignas(64) Rows<SlowSquares> slow_squares{};
+  alignas(64) std::array<double, lanes::padded(Products)> product_sums{};
+  alignas(64) std::array<double, lanes::padded(Squares)> square_sums{};
+  alignas(64) std::array<double, lanes::padded(SlowSquares)> slow_square_sums{};
+
+  /// Sums of order 1, which are empty.
+  void clear_sums() {
+    product_sums.fill(0);
+    square_sums.fill(0);
+    slow_square_sums.fill(0);
+  }
+
+  /// The sums of order m of all lanes; slow squares of order m - 1.
+  void sum(std::size_t m) {
+    if constexpr (Products > 0) {
+      sum_products<Products>(left, right, m, product_sums.data());
+    }
+    if constexpr (Squares > 0) {
+      sum_squares<Squares>(squares, m, square_sums.data());
+    }
+    if constexpr (SlowSquares > 0) {
+      sum_squares<SlowSquares>(slow_squares, m - 1, slow_square_sums.data());
+    }
+  }
+};
+
+/// k and 1 / k as numbers, for the orders that a pass meets.
+inline constexpr auto order_numbers = [] {
+  std::array<double, largest_order + 3> numbers{};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    numbers[k] = static_cast<double>(k);
+  }
+  return numbers;
+}();
+inline constexpr auto inverse_orders = [] {
+  std::array<double, largest_order + 3> inverses{};
+  for (std::size_t k = 1; k < inverses.size(); ++k) {
+    inverses[k] = 1 / static_cast<double>(k);
+  }
+  return inverses;
+}();
+
+}  // namespace mbrt
