@@ -23,7 +23,7 @@ struct CompileOptions {
   bool strict = false;  ///< forces and constraints in the paper's grammar
   Stage until = Stage::Program;
   bool assembles = false;  ///< the start will be moved onto the constraints: it need not satisfy them
-  std::string method;      ///< instead of the one that the model's `integrate` names, if not empty
+  std::string method = {};  ///< instead of the one that the model's `integrate` names, if not empty
 };
 
 /// Every representation of one model that was reached before `until` or an error.

@@ -18,7 +18,7 @@ inline constexpr int interface_version = 2;
 struct EmitOptions {
   bool library = false;  ///< the class alone: no main, no streams
   bool strict = false;   ///< recorded in the header, so that the text can be verified
-  std::string method;    ///< likewise, if it is not the model's own
+  std::string method = {};  ///< likewise, if it is not the model's own
 };
 
 /// The name of the file that `emit` makes of a model file, unless the user chooses another: `pendulum.cpp`.

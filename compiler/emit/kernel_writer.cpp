@@ -140,9 +140,7 @@ class KernelWriter {
 
   /// Scalars have a name of their own everywhere, components of the state outside of loops, rows of series nowhere.
   static bool is_unpacked(Kind kind, bool in_loop) {
-    const bool is_scalar =
-        kind == Kind::Time || kind == Kind::Order || kind == Kind::InverseOrder || kind == Kind::Impulse;
-    return is_scalar || (kind > Kind::Constant && kind <= Kind::Acceleration && !in_loop);
+    return is_scalar(kind) || (kind > Kind::Constant && kind <= Kind::Acceleration && !in_loop);
   }
 
   void unpack_leaves() {

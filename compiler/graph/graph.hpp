@@ -28,6 +28,11 @@ enum class Kind : std::uint8_t {
   Apply
 };
 
+/// Leaves whose index tells what they are, not which of many.
+constexpr bool is_scalar(Kind kind) {
+  return kind == Kind::Time || kind == Kind::Order || kind == Kind::InverseOrder || kind == Kind::Impulse;
+}
+
 /// Index of a node; operands have smaller indices than the nodes that use them.
 using NodeId = std::uint32_t;
 

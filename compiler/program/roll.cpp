@@ -277,7 +277,7 @@ Operand operand_of(NodeId node, NodeId next, const Run& run, const Section& sect
             stride};
   }
   const Node& leaf = graph[node];
-  if (leaf.kind == Kind::Apply || leaf.kind == Kind::Constant || leaf.kind == Kind::Time) {
+  if (leaf.kind == Kind::Apply || leaf.kind == Kind::Constant || is_scalar(leaf.kind)) {
     return {Operand::Kind::Scalar, node, 0, 0, 0, 0};
   }
   const long first = leaf.index;

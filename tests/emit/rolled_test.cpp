@@ -23,7 +23,7 @@ TEST_CASE("loops compute what straight lines would") {
     const Compilation c = compile(name + ".mbd", texts[i], {});
     INFO(messages_of(c));
     REQUIRE(c.program);
-    const std::string text = emit(*c.program, *c.system, c.sources, {true, false, ""});
+    const std::string text = emit(*c.program, *c.system, c.sources, {true, false});
     CHECK(has_rolled_loops(text));
     models.add(name, text);
     InterpretedModel interpreter(*c.program, *c.system, c.sources);

@@ -149,7 +149,7 @@ TEST_CASE("accelerations are those of the equation in quadruple precision") {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Compilation& c = scenes[i].compilation;
     const Compilation named = compile("scene_" + std::to_string(i) + ".mbd", scenes[i].text, {});
-    emitted.add("scene_" + std::to_string(i), emit(*named.program, *c.system, named.sources, {true, false, ""}));
+    emitted.add("scene_" + std::to_string(i), emit(*named.program, *c.system, named.sources, {true, false}));
     questions.push_back(scenes[i].question);
   }
   const Outcome built = emitted.build({"-O1"});

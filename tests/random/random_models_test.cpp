@@ -80,7 +80,7 @@ TEST_CASE("random models compile without a warning and compute what the interpre
   std::size_t rolled = 0;
   for (const Accepted& model : models) {
     const Compilation& c = model.compilation;
-    const std::string text = emit(*c.program, *c.system, c.sources, {true, false, ""});
+    const std::string text = emit(*c.program, *c.system, c.sources, {true, false});
     rolled += static_cast<std::size_t>(has_rolled_loops(text));
     emitted.add(model.name, text);
     questions.push_back(model.question);

@@ -2,7 +2,10 @@
 // Models at chosen states, in the order of use that mbrt::Model asks for; the same for emitted classes and for the
 // interpreter.
 
+#include <array>
 #include <mbrt/model.hpp>
+#include <mbrt/series.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,8 +26,28 @@ typename M::State start(M& model, double time = 0) {
   return state;
 }
 
+/// Orders at which everything_at expands the motion: high, then low.
+inline constexpr std::array<std::size_t, 2> expanded_orders = {12, 5};
+
+/// The Taylor coefficients of the motion through a state, order by order from 1, for each of expanded_orders; nothing
+/// where the model has no series there.
+template <class M>
+std::vector<double> coefficients_at(M& model, const typename M::State& state) {
+  const auto series = std::make_unique<typename M::Series>();
+  std::vector<double> all;
+  for (const std::size_t order : expanded_orders) {
+    if (!model.expand(state, order, *series)) {
+      return {};
+    }
+    for (std::size_t k = 1; k <= order; ++k) {
+      all.insert(all.end(), series->state[k].begin(), series->state[k].begin() + M::Series::size);
+    }
+  }
+  return all;
+}
+
 /// Everything that `model` computes at a state: its rate; then errors of constraints at position, velocity and
-/// acceleration level, outputs, energy and applied forces, where it has them.
+/// acceleration level, outputs, energy, applied forces and Taylor coefficients, where it has them.
 template <mbrt::Model M>
 std::vector<double> everything_at(M& model, double time, const typename M::State& state) {
   typename M::State rate = state;
@@ -55,6 +78,10 @@ std::vector<double> everything_at(M& model, double time, const typename M::State
   }
   if constexpr (mbrt::HasForces<M>) {
     append(description.forces.size(), [&](std::span<double> values) { model.applied_forces(state, values); });
+  }
+  if constexpr (mbrt::HasSeries<M>) {
+    const std::vector<double> coefficients = coefficients_at(model, state);
+    all.insert(all.end(), coefficients.begin(), coefficients.end());
   }
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstring>
 #include <utility>
@@ -116,7 +117,7 @@ struct Series {
   static constexpr std::size_t size = Coordinates + Speeds;
 
   /// y(t + h) = sum of state[k] h^k. Coordinates are known to one order more than was asked for.
-  std::array<std::array<double, size>, largest_order + 3> state{};
+  alignas(64) Rows<size> state{};
   std::array<double, Speeds> free{};  ///< accelerations without constraints, at the order of the pass
 
   alignas(64) Rows<Products> left{};
@@ -146,6 +147,14 @@ struct Series {
       sum_squares<SlowSquares>(slow_squares, m - 1, slow_square_sums.data());
     }
   }
+};
+
+/// A model with emitted recurrences: `expand` computes the coefficients of the motion through a state at the time set, up
+/// to an order between 1 and largest_order. False where there is no series, or none that is to be trusted: the plain
+/// solve of the constraints is not safe.
+template <class M>
+concept HasSeries = requires(M& model, const typename M::State& state, typename M::Series& series) {
+  { model.expand(state, std::size_t{1}, series) } -> std::same_as<bool>;
 };
 
 /// k and 1 / k as numbers, for the orders that a pass meets.

@@ -1,0 +1,189 @@
+#pragma once
+// Taylor series of high order: the method for tight tolerances. Order and step as Jorba and Zou have them (A software
+// package for the numerical integration of ODEs by means of high-order Taylor methods, Experimental Mathematics 14,
+// 2005); the coefficients come from emitted recurrences.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+#include "mbrt/adaptive.hpp"
+#include "mbrt/dop853.hpp"
+#include "mbrt/math.hpp"
+#include "mbrt/series.hpp"
+
+namespace mbrt {
+
+/// Of series whose terms fall by e^2 from one to the next: steps of that length cost least (Jorba and Zou, section 3).
+inline std::size_t order_for(double tolerance) {
+  const double order = std::ceil(1 - 0.5 * std::log(tolerance));
+  return static_cast<std::size_t>(std::clamp(order, 4.0, static_cast<double>(largest_order)));
+}
+
+/// The steps of the method: a `Stepper`. Where a model has no series at a state, because its constraints change their
+/// rank there or a function has none, the step is one of dop853.
+template <HasSeries M>
+class TaylorStepper {
+ public:
+  using State = typename M::State;
+
+  static constexpr bool needs_rate = false;
+
+  /// For states of the size of `like`.
+  explicit TaylorStepper(const State& like)
+      : begin_(like), end_(like), rate_(like), carry_(like), per_allowed_(like), fallback_(like),
+        series_(std::make_unique<typename M::Series>()) {}
+
+  State& state() { return end_; }
+  State& rate() { return rate_; }
+  const State& start() const { return begin_; }
+  double step() const { return step_; }
+  long evaluations() const { return expansions_ + fallback_.evaluations(); }
+  long fallbacks() const { return fallbacks_; }
+  std::size_t worst_component() const { return fallback_.worst_component(); }
+
+  void begin(M& /*model*/, const Task& task) {
+    task_ = task;
+    order_ = order_for(task.tolerance);
+    expanded_ = end_;
+    carry_.fill(0);
+  }
+
+  Attempt attempt(M& model, double time, double to) {
+    if (!falls_back_ || arrived_) {
+      leave();
+      falls_back_ = !expand(model);
+      if (falls_back_) {
+        begin_fallback(model, time, to);
+      }
+    }
+    return falls_back_ ? attempt_fallback(model, time, to) : advance(time, to);
+  }
+
+  void between(M& model, double time, State& y) {
+    if (falls_back_) {
+      fallback_.between(model, time, y);
+      return;
+    }
+    sum_series(time - time_, y);
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      y[j] += begin_[j];
+    }
+  }
+
+ private:
+  /// The end of the last step becomes the begin of the next one; what it was rounded by goes along unless somebody has
+  /// moved it.
+  void leave() {
+    for (std::size_t j = 0; j < end_.size(); ++j) {
+      carry_[j] = end_[j] == expanded_[j] ? carry_[j] : 0;
+      per_allowed_[j] = 1 / (task_.tolerance * (task_.scales.of(j) + std::abs(end_[j])));
+    }
+    begin_ = end_;
+    arrived_ = false;
+  }
+
+  bool expand(M& model) {
+    ++expansions_;
+    if (!model.expand(begin_, order_, *series_)) {
+      return false;
+    }
+    step_ = std::min(length_for(order_ - 1), length_for(order_));
+    return step_ > 0;  // not so where a coefficient is not finite
+  }
+
+  /// The step at which the term of one order is as large as is allowed; 0 where it is not finite.
+  double length_for(std::size_t order) const {
+    double largest = 0;
+    for (std::size_t j = 0; j < begin_.size(); ++j) {
+      largest = max(largest, std::abs(series_->state[order][j]) * per_allowed_[j]);
+    }
+    return std::isfinite(largest) ? std::pow(largest, -1 / static_cast<double>(order)) : 0;
+  }
+
+  Attempt advance(double time, double to) {
+    const double end = landing(time, step_, to);
+    time_ = time;
+    sum_series(end - time, end_);
+    for (std::size_t j = 0; j < end_.size(); ++j) {
+      const double change = end_[j] + carry_[j];
+      const double sum = begin_[j] + change;
+      const double part = sum - begin_[j];
+      carry_[j] = (begin_[j] - (sum - part)) + (change - part);  // the rounding error of the sum (Knuth)
+      end_[j] = sum;
+    }
+    expanded_ = end_;
+    arrived_ = true;
+    return {end, 1};
+  }
+
+  /// y = sum of the terms behind the first, smallest first.
+  void sum_series(double h, State& y) const {
+    constexpr std::size_t vectors = lanes::vectors(M::Series::size);
+    for (std::size_t v = 0; v < vectors; ++v) {
+      lanes::Vector sum{};
+      for (std::size_t k = order_; k > 0; --k) {
+        sum = (sum + lanes::load(series_->state[k].data() + v * lanes::width)) * h;
+      }
+      for (std::size_t j = v * lanes::width; j < std::min((v + 1) * lanes::width, M::Series::size); ++j) {
+        y[j] = sum[j - v * lanes::width];
+      }
+    }
+  }
+
+  void begin_fallback(M& model, double time, double to) {
+    ++fallbacks_;
+    fallback_.state() = begin_;
+    model.rates(begin_, fallback_.rate());
+    Task task = task_;
+    task.from = time;
+    task.to = to;
+    fallback_.begin(model, task);
+  }
+
+  Attempt attempt_fallback(M& model, double time, double to) {
+    const Attempt attempt = fallback_.attempt(model, time, to);
+    end_ = fallback_.state();
+    step_ = fallback_.step();
+    if (attempt.error <= 1) {
+      expanded_ = end_;
+      carry_.fill(0);
+      arrived_ = true;
+      model.set_time(attempt.end);
+      model.rates(end_, fallback_.rate());  // for its dense output
+    }
+    return attempt;
+  }
+
+  Task task_{};
+  State begin_, end_;
+  State expanded_;     ///< the end as it was computed
+  State rate_;
+  State carry_;        ///< what is missing in the state by rounding
+  State per_allowed_;  ///< 1 / error that the tolerance allows in a component
+  Dop853Stepper<State> fallback_;
+  std::unique_ptr<typename M::Series> series_;
+  std::size_t order_ = 0;
+  double step_ = 0;
+  double time_ = 0;  ///< where the series starts
+  bool arrived_ = true;
+  bool falls_back_ = false;
+  long expansions_ = 0;
+  long fallbacks_ = 0;
+};
+
+/// The method, as `simulate` takes it.
+struct Taylor {
+  static constexpr const char* name = "taylor";
+
+  template <HasSeries M, class Observer>
+  static Course run(M& model, typename M::State& state, const Task& task, Observer& observer) {
+    TaylorStepper<M> stepper(state);
+    return run_adaptively(model, state, task, stepper, observer);
+  }
+};
+
+}  // namespace mbrt
