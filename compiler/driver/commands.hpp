@@ -10,12 +10,12 @@ namespace mbcc {
 
 /// What every command that reads a model takes.
 struct ModelArguments {
-  std::string model;   ///< path; `-` is standard input
-  std::string method;  ///< of integration, instead of the model's own; may be empty
+  std::string model;  ///< path; `-` is standard input
   bool strict = false;
   bool werror = false;
   bool json_diagnostics = false;
-  bool assembles = false;  ///< as in CompileOptions
+  bool assembles = false;   ///< as in CompileOptions
+  std::string method = {};  ///< of integration, instead of the model's own; may be empty
 };
 
 /// Writes the emitted file, or leaves an old one as it was. A depfile for make and ninja is written if asked for.

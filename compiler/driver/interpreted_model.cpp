@@ -106,6 +106,7 @@ void InterpretedModel::describe(const model::System& system, const Sources& sour
                   force_entries_,
                   island_entries_,
                   program_.energy.sections.front().has_stores(),
+                  false,
                   defaults,
                   indices_.emplace_back(model::columns(system))};
 }

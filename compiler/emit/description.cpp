@@ -106,9 +106,9 @@ std::string write_description(const program::Program& program, const model::Syst
   const bool has_energy = program.energy.sections.front().has_stores();
   text += fmt::format(
       "static constexpr mbrt::Description description{{\n"
-      "    {}, {}, coordinates, speeds, accelerations, outputs, parameters, constraints, forces, islands, {},\n"
+      "    {}, {}, coordinates, speeds, accelerations, outputs, parameters, constraints, forces, islands, {}, {},\n"
       "    {{{}, {}, {}, {}, {}, {}}}{}}};\n",
-      quote(system.name), quote(version), has_energy, number_or_not_given(integration.from),
+      quote(system.name), quote(version), has_energy, program.series.has_value(), number_or_not_given(integration.from),
       number_or_not_given(integration.to), number_or_not_given(integration.step),
       number_or_not_given(integration.tolerance), number_or_not_given(integration.every),
       integration.method ? quote(*integration.method) : "nullptr", columns.empty() ? "" : ", columns");

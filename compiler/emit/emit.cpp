@@ -30,16 +30,19 @@ std::string options_text(const EmitOptions& options) {
          (options.method.empty() ? "" : " --method " + options.method);
 }
 
-/// A method of the runtime: its header and its name there.
+/// Methods of the runtime: their header and their names there.
 struct MethodCode {
   const char* header;
-  const char* type;
+  const char* types;
 };
 
-/// The one that a run takes unless it is told otherwise; it is compiled with the model. The others are in the library.
+/// What a run takes unless it is told otherwise; it is compiled with the model. The others are in the library.
 MethodCode method_of(const model::Integration& integration) {
-  const bool is_rk4 = integration.method ? *integration.method == "rk4" : integration.step.has_value();
-  return is_rk4 ? MethodCode{"rk4", "Rk4"} : MethodCode{"dop853", "Dop853"};
+  const std::string method = integration.method.value_or(integration.step ? "rk4" : "dop853");
+  return method == "rk4"      ? MethodCode{"rk4", "mbrt::Rk4"}
+         : method == "taylor" ? MethodCode{"taylor", "mbrt::Taylor"}
+         : method == "auto"   ? MethodCode{"taylor", "mbrt::Dop853, mbrt::Taylor"}
+                              : MethodCode{"dop853", "mbrt::Dop853"};
 }
 
 }  // namespace
@@ -68,13 +71,14 @@ std::string emit(const program::Program& program, const model::System& system, c
                 {"version", std::string(version)},
                 {"source", comment_text(base_name(model_file))},
                 {"options", options_text(options)},
-                {"series_include", program.series ? "#include <mbrt/series.hpp>\n" : ""},
                 {"model_class", model_class}};
-  if (!options.library) {
+  if (options.library) {
+    values.emplace("series_include", program.series ? "#include <mbrt/series.hpp>\n" : "");
+  } else {
     const MethodCode method = method_of(system.integration);
     values.emplace("namespace", name_space);
     values.emplace("method_header", method.header);
-    values.emplace("method", method.type);
+    values.emplace("methods", method.types);
   }
   return fill(template_text(options.library ? "model.hpp.in" : "simulation.cpp.in"), values);
 }

@@ -29,6 +29,13 @@ class AnyDynamics {
     }
   }
 
+  using Series = Coefficients;
+  bool expand(const State& y, std::size_t order, Series& series) {
+    const std::optional<Coefficients> expanded = model_.expand(y, order);
+    series = expanded.value_or(Coefficients{});
+    return expanded.has_value();
+  }
+
   /// One step of Newton's method for the coordinates, then one for the speeds.
   void project(State& y) {
     const std::span<double> all = y;

@@ -9,6 +9,7 @@
 #include "mbrt/math.hpp"
 #include "mbrt/rk4.hpp"
 #include "mbrt/simulation.hpp"
+#include "mbrt/taylor.hpp"
 
 namespace mbrt {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 constexpr std::array entries = {
     MethodEntry{Rk4::name, "classical Runge-Kutta of order 4, constant step", false},
     MethodEntry{Dop853::name, "Dormand and Prince's Runge-Kutta of order 8, adaptive step", true},
+    MethodEntry{Taylor::name, "Taylor series of an order after the tolerance, adaptive step", true},
 };
 
 template <class Method>
@@ -59,13 +61,15 @@ const MethodEntry* find_method(std::string_view name) {
 
 Course integrate(AnyModel& model, const std::vector<Island>& islands, const Options& options, const Task& task,
                  std::vector<double>& state, Observer* observer) {
-  const bool has_own_code = options.method == model.method() && !options.stabilization;
+  const bool has_own_code = model.has_code_for(options.method) && !options.stabilization;
   if (has_own_code && (!task.project || model.can_project())) {
-    return observer == nullptr ? model.integrate(task, state) : model.integrate(task, state, *observer);
+    return observer == nullptr ? model.integrate(options.method, task, state)
+                               : model.integrate(options.method, task, state, *observer);
   }
   AnyDynamics dynamics(model, islands, options.stabilization);
-  return options.method == Rk4::name ? run<Rk4>(dynamics, state, task, observer)
-                                     : run<Dop853>(dynamics, state, task, observer);
+  return options.method == Rk4::name      ? run<Rk4>(dynamics, state, task, observer)
+         : options.method == Taylor::name ? run<Taylor>(dynamics, state, task, observer)
+                                          : run<Dop853>(dynamics, state, task, observer);
 }
 
 double find_failing_stage(AnyModel& model, double time, double step, std::span<double> state) {

@@ -10,6 +10,7 @@
 
 #include "mbrt/dop853.hpp"
 #include "mbrt/rk4.hpp"
+#include "mbrt/taylor.hpp"
 #include "methods.hpp"
 #include "spelling.hpp"
 
@@ -183,23 +184,41 @@ void refuse_unknown(const CLI::App& app) {
 }
 
 /// The method to use, where none is named or `auto`.
-const char* choose_method(const Typed& typed) {
+const char* choose_method(const Description& model, const Typed& typed) {
   const bool has_step = !std::isnan(typed.options.step);
-  return typed.method.empty() && has_step ? Rk4::name : Dop853::name;
+  if (typed.method.empty() && has_step) {
+    return Rk4::name;
+  }
+  return model.has_series && typed.options.tolerance <= tolerance_for_series ? Taylor::name : Dop853::name;
 }
 
-void set_method(Typed& typed) {
+void check_series(const Description& model, const Typed& typed) {
+  if (typed.options.method != Taylor::name) {
+    return;
+  }
+  if (!model.has_series) {
+    throw UsageError{
+        "this program has no Taylor series: compile the model with `--method taylor`, or let its `integrate` name the "
+        "method"};
+  }
+  if (!typed.stabilize.empty()) {
+    throw UsageError{"`--stabilize` changes the equations, whose series `taylor` has: use `dop853`"};
+  }
+}
+
+void set_method(const Description& model, Typed& typed) {
   Options& options = typed.options;
   options.step = std::isnan(typed.step) ? options.step : typed.step;
   options.tolerance = std::isnan(typed.tolerance) ? options.tolerance : typed.tolerance;
   const bool is_auto = typed.method.empty() || typed.method == "auto";
-  options.method = is_auto ? choose_method(typed) : typed.method;
+  options.method = is_auto ? choose_method(model, typed) : typed.method;
   const MethodEntry* const method = find_method(options.method);
   if (method == nullptr) {
     throw UsageError{fmt::format("the method `{}` is not part of this version of mbcc, which has {} and `auto`",
                                  typed.method, names_of_methods())};
   }
   options.chosen_by_auto = is_auto && method->chooses_step;
+  check_series(model, typed);
   if (options.tolerance < std::numeric_limits<double>::epsilon()) {
     throw UsageError{fmt::format("the tolerance {} is below {:.2g}, the rounding of numbers", options.tolerance,
                                  std::numeric_limits<double>::epsilon())};
@@ -288,7 +307,7 @@ Options checked(const Description& model, Typed typed) {
   }
   std::vector<std::string_view> state(model.coordinates.begin(), model.coordinates.end());
   state.insert(state.end(), model.speeds.begin(), model.speeds.end());
-  set_method(typed);
+  set_method(model, typed);
   check_times(typed.options);
   if (!find_method(typed.options.method)->chooses_step) {
     check_step(typed.options);

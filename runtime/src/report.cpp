@@ -40,6 +40,9 @@ class Report {
 
   std::string write() {
     headline();
+    if (outcome_.fallbacks > 0) {
+      line("{} left to `dop853`, where there is no series", counted(outcome_.fallbacks, "step"));
+    }
     if (!findings_.constraints.empty()) {
       constraint_errors();
       rank_events();

@@ -73,6 +73,7 @@ class Watch final : public Observer {
     outcome.rejected = course.rejected;
     outcome.evaluations = course.evaluations;
     outcome.projections = course.projections;
+    outcome.fallbacks = course.fallbacks;
     outcome.wall_seconds = seconds - recording_;
     outcome.time = time_;
     outcome.state = state_;

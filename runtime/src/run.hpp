@@ -23,6 +23,7 @@ struct Outcome {
   long steps = 0;       ///< accepted
   long rejected = 0;
   long evaluations = 0;
+  long fallbacks = 0;  ///< steps of `taylor` that were taken by dop853
   long projections = 0;
   double wall_seconds = 0;
   bool monitored = true;  ///< whether wall_seconds includes the monitors

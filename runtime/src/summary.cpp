@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "columns.hpp"
+#include "mbrt/taylor.hpp"
 #include "methods.hpp"
 
 namespace mbrt {
@@ -88,6 +89,9 @@ std::string summary_json(const Description& model, const Options& options, const
   summary["evaluations"] = outcome.evaluations;
   if (chooses_step) {
     summary["rejected"] = outcome.rejected;
+  }
+  if (options.method == Taylor::name) {
+    summary["fallbacks"] = outcome.fallbacks;
   }
   if (options.project && !outcome.solves.empty()) {
     summary["projections"] = outcome.projections;

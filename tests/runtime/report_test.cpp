@@ -136,3 +136,17 @@ TEST_CASE("durations are said in the largest unit that fits") {
 }
 
 }  // namespace mbrt
+
+TEST_CASE("a report tells how many steps a series left to another method") {
+  Options options = from_zero_to(5, not_given);
+  options.method = "taylor";
+  options.tolerance = 1e-12;
+  Outcome outcome;
+  outcome.steps = 100;
+  outcome.fallbacks = 2;
+  outcome.wall_seconds = 9.3e-5;
+  outcome.time = 5;
+  CHECK(report(mechanism(), options, outcome) ==
+        "mechanism: ok, taylor, 100 steps to tolerance 1e-12 from t = 0 to 5 in 0.093 ms\n"
+        "  2 steps left to `dop853`, where there is no series\n");
+}

@@ -1,11 +1,14 @@
 #pragma once
 // The one seam between the templates of the runtime and its precompiled part: a model whose type has been forgotten.
 
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "mbrt/dynamics.hpp"
 #include "mbrt/island.hpp"
 #include "mbrt/model.hpp"
+#include "mbrt/series.hpp"
 
 namespace mbrt {
 
@@ -47,13 +50,16 @@ class AnyModel {
   virtual void outputs(std::span<const double> state, std::span<const double> rate, std::span<double> values) = 0;
   virtual void applied_forces(std::span<const double> state, std::span<double> values) = 0;
 
-  /// The method that was compiled for this very model. The library has the others, for any model.
-  virtual const char* method() const = 0;
-  /// Whether that method can project: the model has code for it, or nothing to project onto.
+  /// Taylor coefficients of the motion through `state`, valid until the next call; nothing where there are none.
+  virtual std::optional<Coefficients> expand(std::span<const double> state, std::size_t order) = 0;
+
+  /// Whether a method was compiled for this very model. The library has the others, for any model.
+  virtual bool has_code_for(std::string_view method) const = 0;
+  /// Whether such code can project: the model has code for it, or nothing to project onto.
   virtual bool can_project() const = 0;
-  /// Moves `state` as the task says, by that method.
-  virtual Course integrate(const Task& task, std::span<double> state, Observer& observer) = 0;
-  virtual Course integrate(const Task& task, std::span<double> state) = 0;
+  /// Moves `state` as the task says, by a method that the model has code for.
+  virtual Course integrate(std::string_view method, const Task& task, std::span<double> state, Observer& observer) = 0;
+  virtual Course integrate(std::string_view method, const Task& task, std::span<double> state) = 0;
 
  protected:
   ~AnyModel() = default;

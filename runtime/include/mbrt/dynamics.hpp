@@ -100,6 +100,7 @@ struct Course {
   long rejected = 0;
   long evaluations = 0;
   long projections = 0;
+  long fallbacks = 0;  ///< of the steps, those that a method left to another one
 };
 
 /// Whether a state is small enough for code without loops, in which the compiler keeps it in registers.

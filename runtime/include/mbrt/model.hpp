@@ -61,6 +61,7 @@ struct Description {
   std::span<const ForceEntry> forces;
   std::span<const IslandEntry> islands;
   bool has_energy;  ///< applied forces are constant or absent, so that kinetic and potential energy are known
+  bool has_series;  ///< emitted with the recurrences of its Taylor series: method `taylor`
   Defaults defaults;
   /// Indices into the state, coordinates first, in order of declaration, which is that of columns of results. Empty
   /// where the state has that order too.

@@ -110,6 +110,14 @@ void sum_squares(const Rows<Lanes>& x, std::size_t m, double* sums) {
   }
 }
 
+/// Where the coefficients of a motion are: a row for each order, padded to whole vectors.
+struct Coefficients {
+  const double* first = nullptr;
+  std::size_t stride = 0;
+
+  const double* row(std::size_t order) const { return first + order * stride; }
+};
+
 /// The coefficients of the motion of a model with `Coordinates` and `Speeds`, and the lanes that they take.
 template <std::size_t Coordinates, std::size_t Speeds, std::size_t Products, std::size_t Squares,
           std::size_t SlowSquares>
@@ -127,6 +135,8 @@ struct Series {
   alignas(64) std::array<double, lanes::padded(Products)> product_sums{};
   alignas(64) std::array<double, lanes::padded(Squares)> square_sums{};
   alignas(64) std::array<double, lanes::padded(SlowSquares)> slow_square_sums{};
+
+  Coefficients coefficients() const { return {state[0].data(), lanes::padded(size)}; }
 
   /// Sums of order 1, which are empty.
   void clear_sums() {
@@ -149,8 +159,8 @@ struct Series {
   }
 };
 
-/// A model with emitted recurrences: `expand` computes the coefficients of the motion through a state at the time set, up
-/// to an order between 1 and largest_order. False where there is no series, or none that is to be trusted: the plain
+/// A model with emitted recurrences: `expand` computes the coefficients of the motion through a state at the time set,
+/// up to an order between 1 and largest_order. False where there is no series, or none that is to be trusted: the plain
 /// solve of the constraints is not safe.
 template <class M>
 concept HasSeries = requires(M& model, const typename M::State& state, typename M::Series& series) {

@@ -2,7 +2,11 @@
 // `simulate`: the main program of every emitted simulation.
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <variant>
 
 #include "mbrt/any_model.hpp"
 #include "mbrt/model.hpp"
@@ -58,8 +62,20 @@ class Relay {
   Observer& observer_;
 };
 
-/// `M` behind the interface of AnyModel, with `Method` (Rk4, Dop853, ...) compiled for it.
-template <Model M, class Method>
+/// Storage for the series of a model, if it has any.
+template <class M>
+struct SeriesStorage {
+  using Type = std::monostate;
+};
+template <HasSeries M>
+struct SeriesStorage<M> {
+  using Type = std::unique_ptr<typename M::Series>;
+};
+template <class M>
+using SeriesOf = typename SeriesStorage<M>::Type;
+
+/// `M` behind the interface of AnyModel, with methods (Rk4, Dop853, ...) compiled for it.
+template <Model M, class... Methods>
 class BoundModel final : public AnyModel {
  public:
   explicit BoundModel(M& model) : model_(model), state_(model.initial_state()), rate_(state_) {}
@@ -119,25 +135,39 @@ class BoundModel final : public AnyModel {
     }
   }
 
-  const char* method() const override { return Method::name; }
-  bool can_project() const override { return Projectable<M> || !HasConstraints<M>; }
-  Course integrate(const Task& task, std::span<double> state, Observer& observer) override {
-    Relay<State> relay(observer);
-    return run(task, state, relay);
+  std::optional<Coefficients> expand([[maybe_unused]] std::span<const double> state,
+                                     [[maybe_unused]] std::size_t order) override {
+    if constexpr (HasSeries<M>) {
+      if (series_ == nullptr) {
+        series_ = std::make_unique<typename M::Series>();
+      }
+      take(state, state_);
+      return model_.expand(state_, order, *series_) ? std::optional(series_->coefficients()) : std::nullopt;
+    } else {
+      return std::nullopt;
+    }
   }
-  Course integrate(const Task& task, std::span<double> state) override {
+
+  bool has_code_for(std::string_view method) const override { return ((method == Methods::name) || ...); }
+  bool can_project() const override { return Projectable<M> || !HasConstraints<M>; }
+  Course integrate(std::string_view method, const Task& task, std::span<double> state, Observer& observer) override {
+    Relay<State> relay(observer);
+    return run(method, task, state, relay);
+  }
+  Course integrate(std::string_view method, const Task& task, std::span<double> state) override {
     Unobserved nobody;
-    return run(task, state, nobody);
+    return run(method, task, state, nobody);
   }
 
  private:
   using State = typename M::State;
 
   template <class AnyObserver>
-  Course run(const Task& task, std::span<double> state, AnyObserver& observer) {
+  Course run(std::string_view method, const Task& task, std::span<double> state, AnyObserver& observer) {
     State y = state_;
     take(state, y);
-    const Course course = Method::run(model_, y, task, observer);
+    Course course;
+    ((method == Methods::name && (course = Methods::run(model_, y, task, observer), true)) || ...);
     give(y, state);
     return course;
   }
@@ -145,12 +175,13 @@ class BoundModel final : public AnyModel {
   M& model_;
   State state_;
   State rate_;
+  SeriesOf<M> series_;  ///< made when it is first asked for
 };
 
 /// The main program of an emitted simulation; see `run_program`.
-template <class Method, Model M>
+template <class... Methods, Model M>
 int simulate(M& model, int argc, char** argv) {
-  BoundModel<M, Method> bound(model);
+  BoundModel<M, Methods...> bound(model);
   return run_program(bound, argc, argv);
 }
 

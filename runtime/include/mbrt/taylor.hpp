@@ -17,6 +17,9 @@
 
 namespace mbrt {
 
+/// From this tolerance on the method is faster than dop853.
+inline constexpr double tolerance_for_series = 1e-9;
+
 /// Of series whose terms fall by e^2 from one to the next: steps of that length cost least (Jorba and Zou, section 3).
 inline std::size_t order_for(double tolerance) {
   const double order = std::ceil(1 - 0.5 * std::log(tolerance));
@@ -25,6 +28,7 @@ inline std::size_t order_for(double tolerance) {
 
 /// The steps of the method: a `Stepper`. Where a model has no series at a state, because its constraints change their
 /// rank there or a function has none, the step is one of dop853.
+/// `M::Series` holds coefficients, its own or Coefficients.
 template <HasSeries M>
 class TaylorStepper {
  public:
@@ -34,7 +38,12 @@ class TaylorStepper {
 
   /// For states of the size of `like`.
   explicit TaylorStepper(const State& like)
-      : begin_(like), end_(like), rate_(like), carry_(like), per_allowed_(like), fallback_(like),
+      : begin_(like),
+        end_(like),
+        rate_(like),
+        carry_(like),
+        per_allowed_(like),
+        fallback_(like),
         series_(std::make_unique<typename M::Series>()) {}
 
   State& state() { return end_; }
@@ -49,13 +58,13 @@ class TaylorStepper {
     task_ = task;
     order_ = order_for(task.tolerance);
     expanded_ = end_;
-    carry_.fill(0);
+    std::fill(carry_.begin(), carry_.end(), 0.0);
   }
 
   Attempt attempt(M& model, double time, double to) {
     if (!falls_back_ || arrived_) {
       leave();
-      falls_back_ = !expand(model);
+      falls_back_ = !expand(model, time);
       if (falls_back_) {
         begin_fallback(model, time, to);
       }
@@ -86,20 +95,27 @@ class TaylorStepper {
     arrived_ = false;
   }
 
-  bool expand(M& model) {
+  bool expand(M& model, double time) {
     ++expansions_;
     if (!model.expand(begin_, order_, *series_)) {
       return false;
     }
+    coefficients_ = coefficients_of(*series_);
     step_ = std::min(length_for(order_ - 1), length_for(order_));
-    return step_ > 0;  // not so where a coefficient is not finite
+    return time + 0.5 * step_ > time;  // not so where a coefficient is not finite
+  }
+
+  static Coefficients coefficients_of(const Coefficients& series) { return series; }
+  template <class Series>
+  static Coefficients coefficients_of(const Series& series) {
+    return series.coefficients();
   }
 
   /// The step at which the term of one order is as large as is allowed; 0 where it is not finite.
   double length_for(std::size_t order) const {
     double largest = 0;
     for (std::size_t j = 0; j < begin_.size(); ++j) {
-      largest = max(largest, std::abs(series_->state[order][j]) * per_allowed_[j]);
+      largest = max(largest, std::abs(coefficients_.row(order)[j]) * per_allowed_[j]);
     }
     return std::isfinite(largest) ? std::pow(largest, -1 / static_cast<double>(order)) : 0;
   }
@@ -122,14 +138,14 @@ class TaylorStepper {
 
   /// y = sum of the terms behind the first, smallest first.
   void sum_series(double h, State& y) const {
-    constexpr std::size_t vectors = lanes::vectors(M::Series::size);
-    for (std::size_t v = 0; v < vectors; ++v) {
+    const std::size_t size = y.size();
+    for (std::size_t first = 0; first < size; first += lanes::width) {
       lanes::Vector sum{};
       for (std::size_t k = order_; k > 0; --k) {
-        sum = (sum + lanes::load(series_->state[k].data() + v * lanes::width)) * h;
+        sum = (sum + lanes::load(coefficients_.row(k) + first)) * h;
       }
-      for (std::size_t j = v * lanes::width; j < std::min((v + 1) * lanes::width, M::Series::size); ++j) {
-        y[j] = sum[j - v * lanes::width];
+      for (std::size_t j = first; j < std::min(first + lanes::width, size); ++j) {
+        y[j] = sum[j - first];
       }
     }
   }
@@ -150,7 +166,7 @@ class TaylorStepper {
     step_ = fallback_.step();
     if (attempt.error <= 1) {
       expanded_ = end_;
-      carry_.fill(0);
+      std::fill(carry_.begin(), carry_.end(), 0.0);
       arrived_ = true;
       model.set_time(attempt.end);
       model.rates(end_, fallback_.rate());  // for its dense output
@@ -160,12 +176,13 @@ class TaylorStepper {
 
   Task task_{};
   State begin_, end_;
-  State expanded_;     ///< the end as it was computed
+  State expanded_;  ///< the end as it was computed
   State rate_;
   State carry_;        ///< what is missing in the state by rounding
   State per_allowed_;  ///< 1 / error that the tolerance allows in a component
   Dop853Stepper<State> fallback_;
   std::unique_ptr<typename M::Series> series_;
+  Coefficients coefficients_;  ///< in there
   std::size_t order_ = 0;
   double step_ = 0;
   double time_ = 0;  ///< where the series starts
@@ -182,7 +199,9 @@ struct Taylor {
   template <HasSeries M, class Observer>
   static Course run(M& model, typename M::State& state, const Task& task, Observer& observer) {
     TaylorStepper<M> stepper(state);
-    return run_adaptively(model, state, task, stepper, observer);
+    Course course = run_adaptively(model, state, task, stepper, observer);
+    course.fallbacks = stepper.fallbacks();
+    return course;
   }
 };
 
