@@ -185,14 +185,14 @@ std::string ClassWriter::series() const {
   const Body slow = write_kernel(series.slow, program_, fast.within, {});
   const Body solve = write_kernel(series.solve, program_, fast.within, {});
   std::string body = start.body.text;
-  body += "s.clear_sums();\nfor (std::size_t j = 0; j < y.size(); ++j) {\n  s.state[0][j] = y[j];\n}\n";
+  body += "s.begin();\nfor (std::size_t j = 0; j < y.size(); ++j) {\n  s.state[0][j] = y[j];\n}\n";
   body += "for (std::size_t k = 0; k < order; ++k) {\n" + indent(fast.body.text);
   body += slow.text.empty() ? "" : "  if (k > 0) {\n" + indent(indent(slow.text)) + "  }\n";
   body += "  s.sum(k + 2);\n" + indent(solve.text) + "}\nreturn true;\n";
   return fmt::format(
-             "\n/// Where `expand` computes: of coordinates, speeds, and lanes of products, squares and slow squares.\n"
-             "using Series = mbrt::Series<coordinates, speeds, {}, {}, {}>;\n",
-             series.products, series.squares, series.slow_squares) +
+             "\n/// Where `expand` computes: for lanes of products, slow products, squares and slow squares.\n"
+             "using Series = mbrt::Series<coordinates, speeds, {}, {}, {}, {}>;\n",
+             series.products, series.slow_products, series.squares, series.slow_squares) +
          function(
              "Taylor coefficients of the motion through `y`, up to `order`. False where the plain solve is not safe.",
              "bool expand(const State& y, std::size_t order, Series& s)", body);

@@ -16,8 +16,8 @@ inline constexpr std::string_view version = MBCC_VERSION;
 inline constexpr int interface_version = 2;
 
 struct EmitOptions {
-  bool library = false;  ///< the class alone: no main, no streams
-  bool strict = false;   ///< recorded in the header, so that the text can be verified
+  bool library = false;     ///< the class alone: no main, no streams
+  bool strict = false;      ///< recorded in the header, so that the text can be verified
   std::string method = {};  ///< likewise, if it is not the model's own
 };
 

@@ -134,7 +134,7 @@ class KernelWriter {
       }
     }
     for (const NodeId id : kernel_.provides) {
-      uses_[id] += 2;  // worth a name
+      uses_[id] += kernel_.level < Level::State ? 1 : 2;  // what is local is worth a name
     }
   }
 

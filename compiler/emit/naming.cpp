@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace mbcc::cpp {
 
 using graph::Kind;
@@ -27,7 +29,21 @@ std::string Naming::name_of_leaf(Kind kind, std::uint32_t index) const {
   }
 }
 
+namespace {
+
+std::string source_of_row(Kind kind, const std::string& index) {
+  constexpr std::array arrays = {"left", "right", "slow_left", "slow_right", "squares", "slow_squares"};
+  constexpr std::array rows = {"1", "k - 1", "k", "k + 1"};
+  const std::size_t at = static_cast<std::size_t>(kind) - static_cast<std::size_t>(Kind::LeftFirst);
+  return fmt::format("s.{}[{}][{}]", arrays[at / rows.size()], rows[at % rows.size()], index);
+}
+
+}  // namespace
+
 std::string Naming::source_of_leaf(Kind kind, const std::string& index) {
+  if (is_row(kind)) {
+    return source_of_row(kind, index);
+  }
   switch (kind) {
     case Kind::Coordinate:
     case Kind::Speed:
@@ -44,6 +60,8 @@ std::string Naming::source_of_leaf(Kind kind, const std::string& index) {
       return fmt::format("s.free[{}]", index);
     case Kind::ProductSum:
       return fmt::format("s.product_sums[{}]", index);
+    case Kind::SlowProductSum:
+      return fmt::format("s.slow_product_sums[{}]", index);
     case Kind::SquareSum:
       return fmt::format("s.square_sums[{}]", index);
     case Kind::SlowSquareSum:

@@ -45,6 +45,10 @@ std::string_view array_of(Target target) {
       return "s.right[k + 1]";
     case Target::RightLate:
       return "s.right[k + 2]";
+    case Target::SlowLeftNow:
+      return "s.slow_left[k]";
+    case Target::SlowRightNow:
+      return "s.slow_right[k]";
     case Target::SquareNext:
       return "s.squares[k + 1]";
     case Target::SlowSquareNow:

@@ -28,6 +28,13 @@ enum class Kind : std::uint8_t {
   Apply
 };
 
+/// Rows of the operands of a series, which are leaves of neighbouring kinds; `array` is the first of them.
+enum class Row : std::uint8_t { First, Before, Now, Next };
+constexpr Kind row_of(Kind array, Row row) {
+  return static_cast<Kind>(static_cast<std::uint8_t>(array) + static_cast<std::uint8_t>(row));
+}
+constexpr bool is_row(Kind kind) { return kind >= Kind::LeftFirst && kind <= Kind::SlowSquareNext; }
+
 /// Leaves whose index tells what they are, not which of many.
 constexpr bool is_scalar(Kind kind) {
   return kind == Kind::Time || kind == Kind::Order || kind == Kind::InverseOrder || kind == Kind::Impulse;

@@ -23,10 +23,11 @@ Factored split(Expr x) {
 }  // namespace
 
 std::size_t Lanes::product(Pace pace, Expr left, Expr right, bool weighted) {
-  const auto [lane, is_new] = found_.try_emplace(
-      {0, static_cast<std::size_t>(pace), left.id(), right.id(), weighted ? 1U : 0U}, product_count());
+  std::size_t& count = product_counts_[static_cast<std::size_t>(pace)];
+  const auto [lane, is_new] =
+      found_.try_emplace({0, static_cast<std::size_t>(pace), left.id(), right.id(), weighted ? 1U : 0U}, count);
   if (is_new) {
-    products_.emplace_back(lane->second, ProductLane{pace, left, right, weighted});
+    products_.push_back({pace, left, right, weighted, count++});
   }
   return lane->second;
 }
@@ -41,10 +42,10 @@ std::size_t Lanes::square(Pace pace, Expr operand) {
 }
 
 std::size_t Lanes::reaction(Pace pace, Expr entry, std::size_t constraint) {
-  const auto [lane, is_new] =
-      found_.try_emplace({2, static_cast<std::size_t>(pace), entry.id(), constraint, 0}, product_count());
+  std::size_t& count = product_counts_[static_cast<std::size_t>(Pace::Fast)];
+  const auto [lane, is_new] = found_.try_emplace({2, static_cast<std::size_t>(pace), entry.id(), constraint, 0}, count);
   if (is_new) {
-    reactions_.push_back({lane->second, pace, entry, constraint});
+    reactions_.push_back({pace, entry, constraint, count++});
   }
   return lane->second;
 }
@@ -86,25 +87,39 @@ Expr Expansion::products(Expr a, Expr b) {
   const auto [factor_a, rest_a] = split(a);
   const auto [factor_b, rest_b] = split(b);
   const auto [left, right] = std::minmax(rest_a, rest_b);
-  if (left == right) {
-    return number(a, factor_a * factor_b) * squares(left);
-  }
-  const std::size_t lane = lanes_.product(pace_, left, right, false);
-  return number(a, factor_a * factor_b) * graph_.leaf(Kind::ProductSum, static_cast<std::uint32_t>(lane));
+  return number(a, factor_a * factor_b) * (left == right ? squares(left) : product_lane(left, right, false));
 }
 
 Expr Expansion::weighted(Expr a, Expr b) {
   const auto [factor_a, rest_a] = split(a);
   const auto [factor_b, rest_b] = split(b);
-  const std::size_t lane = lanes_.product(pace_, rest_a, rest_b, true);
-  return number(a, factor_a * factor_b) * graph_.leaf(Kind::ProductSum, static_cast<std::uint32_t>(lane));
+  return number(a, factor_a * factor_b) * product_lane(rest_a, rest_b, true);
+}
+
+/// Before the order that is expanded; fast expansions are of order k + 1 and k + 2, slow ones of k and k + 1.
+graph::Row Expansion::newest() const {
+  constexpr std::array rows = {graph::Row::Before, graph::Row::Now, graph::Row::Next};
+  return rows[shift_];
+}
+
+Expr Expansion::product_lane(Expr left, Expr right, bool weighted) {
+  const auto lane = static_cast<std::uint32_t>(lanes_.product(pace_, left, right, weighted));
+  const bool is_fast = pace_ == Pace::Fast;
+  const Kind lefts = is_fast ? Kind::LeftFirst : Kind::SlowLeftFirst;
+  const Kind rights = is_fast ? Kind::RightFirst : Kind::SlowRightFirst;
+  return graph_.leaf(is_fast ? Kind::ProductSum : Kind::SlowProductSum, lane) +
+         graph_.leaf(lefts, lane) * graph_.leaf(row_of(rights, newest()), lane) +
+         graph_.leaf(row_of(lefts, newest()), lane) * graph_.leaf(rights, lane);
 }
 
 Expr Expansion::squares(Expr a) {
   const auto [factor, rest] = split(a);
-  const std::size_t lane = lanes_.square(pace_, rest);
-  const Kind kind = pace_ == Pace::Fast ? Kind::SquareSum : Kind::SlowSquareSum;
-  return number(a, factor * factor) * graph_.leaf(kind, static_cast<std::uint32_t>(lane));
+  const auto lane = static_cast<std::uint32_t>(lanes_.square(pace_, rest));
+  const bool is_fast = pace_ == Pace::Fast;
+  const Kind operands = is_fast ? Kind::SquareFirst : Kind::SlowSquareFirst;
+  return number(a, factor * factor) *
+         (graph_.leaf(is_fast ? Kind::SquareSum : Kind::SlowSquareSum, lane) +
+          number(a, 2) * (graph_.leaf(operands, lane) * graph_.leaf(row_of(operands, newest()), lane)));
 }
 
 }  // namespace mbcc::program

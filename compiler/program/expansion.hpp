@@ -6,9 +6,12 @@
 // lanes of one kind are computed together, a vector of them at a time, whatever the scene looks like: a lane has its
 // own column of operands, so that neighbours need not be related. Three kinds: products, and squares at two paces,
 // which cost half as much. The pass of order k (series_plan.hpp) sums
-//   left_j right_(k + 2 - j) over 0 < j < k + 2.
-// Operands that are known to order k + 1 only later than others are stored one or two rows late on the right, where row
-// 1 stays zero: the same sum is then theirs, of an order lower by one or two.
+//   left_j right_(m-j) over 1 < j < m - 1,  m = k + 2 (k + 1 of slow lanes).
+// The two terms with the newest operand are left to the expression that uses the sum: the newest operand is then read
+// as a number where it was just computed, and the sums do not wait for it. (A vector of numbers that were stored one by
+// one is not to be had before they all have reached the cache: measured, half the time of a small scene.) For m = 2
+// both are the same term, which the sum takes back once. Multipliers are known to order k - 1 only: they are stored two
+// rows late, so that A_(k-j) z_j is a product of order k + 2 like the others, whose row 1 on the right is zero.
 
 #include <array>
 #include <functional>
@@ -34,19 +37,20 @@ struct ProductLane {
   Pace pace;
   Expr left;
   Expr right;
-  bool weighted;  ///< whether the coefficients on the left are multiplied by their order
+  bool weighted;      ///< whether the coefficients on the left are multiplied by their order
+  std::size_t index;  ///< among the products of its pace
 };
 struct SquareLane {
   Pace pace;
   Expr operand;
   std::size_t index;  ///< among the squares of its pace
 };
-/// The coefficients of an entry of A times those of a multiplier. `lane` is one of the products.
+/// The coefficients of an entry of A times those of a multiplier: one of the fast products.
 struct ReactionLane {
-  std::size_t lane;
-  Pace pace;
+  Pace pace;  ///< of the entry
   Expr entry;
   std::size_t constraint;
+  std::size_t index;
 };
 
 /// The lanes of a model. An index is that of the lane's sum.
@@ -56,17 +60,18 @@ class Lanes {
   std::size_t square(Pace pace, Expr operand);
   std::size_t reaction(Pace pace, Expr entry, std::size_t constraint);
 
-  const std::vector<std::pair<std::size_t, ProductLane>>& products() const { return products_; }
+  const std::vector<ProductLane>& products() const { return products_; }
   const std::vector<SquareLane>& squares() const { return squares_; }
   const std::vector<ReactionLane>& reactions() const { return reactions_; }
-  std::size_t product_count() const { return products_.size() + reactions_.size(); }
+  std::size_t product_count(Pace pace) const { return product_counts_[static_cast<std::size_t>(pace)]; }
   std::size_t square_count(Pace pace) const { return square_counts_[static_cast<std::size_t>(pace)]; }
 
  private:
-  std::map<std::array<std::size_t, 5>, std::size_t> found_;    ///< index by kind and operands
-  std::vector<std::pair<std::size_t, ProductLane>> products_;  ///< with their index
+  std::map<std::array<std::size_t, 5>, std::size_t> found_;  ///< index by kind and operands
+  std::vector<ProductLane> products_;
   std::vector<SquareLane> squares_;
   std::vector<ReactionLane> reactions_;
+  std::array<std::size_t, 2> product_counts_{};  ///< by pace
   std::array<std::size_t, 2> square_counts_{};
 };
 
@@ -89,6 +94,8 @@ class Expansion {
   Expr inverse_order() { return graph_.leaf(graph::Kind::InverseOrder, shift_); }
 
  private:
+  Expr product_lane(Expr left, Expr right, bool weighted);
+  graph::Row newest() const;
   Expr keep(Expr x);
   Expr computed(Expr x);
 

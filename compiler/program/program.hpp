@@ -110,6 +110,7 @@ struct SeriesKernels {
   Kernel slow;
   Kernel solve;
   std::size_t products = 0;  ///< lanes
+  std::size_t slow_products = 0;
   std::size_t squares = 0;
   std::size_t slow_squares = 0;
 };

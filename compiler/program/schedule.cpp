@@ -66,6 +66,7 @@ class Scheduler {
       }
     }
     series.products = plan.products;
+    series.slow_products = plan.slow_products;
     series.squares = plan.squares;
     series.slow_squares = plan.slow_squares;
     return series;

@@ -33,7 +33,8 @@ class SeriesPlanner {
     }
     advance_state();
     update_operands();
-    plan_.products = lanes_.product_count();
+    plan_.products = lanes_.product_count(Pace::Fast);
+    plan_.slow_products = lanes_.product_count(Pace::Slow);
     plan_.squares = lanes_.square_count(Pace::Fast);
     plan_.slow_squares = lanes_.square_count(Pace::Slow);
     return std::move(plan_);
@@ -88,7 +89,8 @@ class SeriesPlanner {
         if (!rests(rest)) {
           const std::size_t lane = lanes_.reaction(pace_of(system_.constraints[k]), rest, k);
           Expr& acceleration = accelerations_[entry.speed];
-          acceleration = acceleration + derivatives_.mobility[entry.speed] * factor * leaf(Kind::ProductSum, lane);
+          const Expr known = leaf(Kind::ProductSum, lane) + leaf(Kind::LeftFirst, lane) * leaf(Kind::RightNext, lane);
+          acceleration = acceleration + derivatives_.mobility[entry.speed] * factor * known;
         }
       }
     }
@@ -176,15 +178,16 @@ class SeriesPlanner {
     }
     for (std::size_t i = 0; i < lanes_.reactions().size(); ++i) {
       const ReactionLane lane = lanes_.reactions()[i];
-      want(lane.pace, Target::LeftNext, Target::LeftNow, lane.lane, at(lane.pace).coefficient(lane.entry));
-      plan_.solve.push_back({Target::RightLate, lane.lane, multipliers_.at(lane.constraint), lane.lane});
+      want(lane.pace, Target::LeftNext, Target::LeftNow, lane.index, at(lane.pace).coefficient(lane.entry));
+      plan_.solve.push_back({Target::RightLate, lane.index, multipliers_.at(lane.constraint), lane.index});
     }
     for (std::size_t p = 0, s = 0; p < lanes_.products().size() || s < lanes_.squares().size();) {
       if (p < lanes_.products().size()) {
-        const auto [index, lane] = lanes_.products()[p++];
+        const ProductLane lane = lanes_.products()[p++];
         const Expr left = at(lane.pace).coefficient(lane.left);
-        want(lane.pace, Target::LeftNext, Target::LeftNow, index, lane.weighted ? at(lane.pace).order() * left : left);
-        want(lane.pace, Target::RightNext, Target::RightNext, index, at(lane.pace).coefficient(lane.right));
+        want(lane.pace, Target::LeftNext, Target::SlowLeftNow, lane.index,
+             lane.weighted ? at(lane.pace).order() * left : left);
+        want(lane.pace, Target::RightNext, Target::SlowRightNow, lane.index, at(lane.pace).coefficient(lane.right));
       } else {
         const SquareLane lane = lanes_.squares()[s++];
         want(lane.pace, Target::SquareNext, Target::SlowSquareNow, lane.index, at(lane.pace).coefficient(lane.operand));

@@ -32,6 +32,7 @@ struct SeriesPlan {
   std::vector<Wanted> solve;  ///< multipliers of order k, speeds of order k + 1, coordinates of order k + 2
   std::vector<std::vector<mechanics::Pivot>> pivots;  ///< by island
   std::size_t products = 0;
+  std::size_t slow_products = 0;
   std::size_t squares = 0;
   std::size_t slow_squares = 0;
 

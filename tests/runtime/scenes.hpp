@@ -33,6 +33,7 @@ inline Description describe(const char* name, std::size_t size, std::span<const 
           {},
           islands,
           false,
+          false,
           defaults};
 }
 

@@ -17,9 +17,8 @@ inline constexpr std::size_t largest_order = 30;
 
 namespace lanes {
 
-#if defined(__AVX512F__)
-inline constexpr std::size_t width = 8;
-#elif defined(__AVX__)
+// Longer vectors would be filled by large scenes alone, and small ones pay for what they leave empty (measured).
+#if defined(__AVX__)
 inline constexpr std::size_t width = 4;
 #else
 inline constexpr std::size_t width = 2;
@@ -43,15 +42,54 @@ constexpr std::size_t vectors(std::size_t count) { return (count + width - 1) / 
 }
 [[gnu::always_inline]] inline void store(const Vector& vector, double* to) { std::memcpy(to, &vector, sizeof vector); }
 
-/// sums[V] = sum over first <= j < last of left_j right_(m-j), for so many neighbouring vectors.
+// Sums run from the middle outwards: rows that were written last have not reached the cache yet, and come last. Two
+// sums at a time halve the time that additions wait for one another.
+
+/// sums[V] = sum of left_j right_(m-j) over 1 < j < m - 1, or where m is 2 less that of 0 < j < m, for so many
+/// neighbouring vectors.
 template <std::size_t Stride, std::size_t... V>
-[[gnu::always_inline]] inline void convolve(const double* left, const double* right, std::size_t first,
-                                            std::size_t last, std::size_t m, Vector* sums, std::index_sequence<V...>) {
+[[gnu::always_inline]] inline void convolve(const double* left, const double* right, std::size_t m, Vector* sums,
+                                            std::index_sequence<V...>) {
+  Vector upper[sizeof...(V)];
   ((sums[V] = Vector{}), ...);
-  for (std::size_t j = first; j < last; ++j) {
-    const double* const a = left + j * Stride;
-    const double* const b = right + (m - j) * Stride;
-    ((sums[V] += load(a + V * width) * load(b + V * width)), ...);
+  ((upper[V] = Vector{}), ...);
+  if (m % 2 == 0) {
+    const std::size_t middle = m / 2 * Stride;
+    ((sums[V] = load(left + middle + V * width) * load(right + middle + V * width)), ...);
+    if (m == 2) {
+      ((sums[V] = -sums[V]), ...);
+    }
+  }
+  for (std::size_t j = (m - 1) / 2; j > 1; --j) {
+    const std::size_t low = j * Stride, high = (m - j) * Stride;
+    ((sums[V] += load(left + low + V * width) * load(right + high + V * width)), ...);
+    ((upper[V] += load(left + high + V * width) * load(right + low + V * width)), ...);
+  }
+  ((sums[V] += upper[V]), ...);
+}
+
+/// Likewise sums of x_j x_(m-j).
+template <std::size_t Stride, std::size_t... V>
+[[gnu::always_inline]] inline void convolve_square(const double* x, std::size_t m, Vector* sums,
+                                                   std::index_sequence<V...>) {
+  Vector odd[sizeof...(V)];
+  ((sums[V] = Vector{}), ...);
+  ((odd[V] = Vector{}), ...);
+  std::size_t j = (m - 1) / 2;
+  if (j > 1 && j % 2 == 0) {
+    ((odd[V] = load(x + j * Stride + V * width) * load(x + (m - j) * Stride + V * width)), ...);
+    --j;
+  }
+  for (; j > 1; j -= 2) {
+    ((sums[V] += load(x + j * Stride + V * width) * load(x + (m - j) * Stride + V * width)), ...);
+    ((odd[V] += load(x + (j - 1) * Stride + V * width) * load(x + (m - j + 1) * Stride + V * width)), ...);
+  }
+  ((sums[V] += odd[V]), ...);
+  ((sums[V] += sums[V]), ...);
+  if (m % 2 == 0) {
+    const std::size_t middle = m / 2 * Stride;
+    const double sign = m == 2 ? -1 : 1;
+    ((sums[V] += sign * (load(x + middle + V * width) * load(x + middle + V * width))), ...);
   }
 }
 
@@ -61,14 +99,15 @@ template <std::size_t Stride, std::size_t... V>
 template <std::size_t Lanes>
 using Rows = std::array<std::array<double, lanes::padded(Lanes)>, largest_order + 3>;
 
-/// sums[i] = sum of left_j[i] right_(m-j)[i] over 0 < j < m.
+/// sums[i] = sum of left_j[i] right_(m-j)[i] over 1 < j < m - 1: the terms with the newest operands are left out. Where
+/// m is 2 these are one, and the sum is its negative, so that it may be added twice.
 template <std::size_t Lanes>
 void sum_products(const Rows<Lanes>& left, const Rows<Lanes>& right, std::size_t m, double* sums) {
   constexpr std::size_t stride = lanes::padded(Lanes);
   constexpr std::size_t total = lanes::vectors(Lanes);
   const auto chunk = [&]<std::size_t Count>(std::size_t at, std::integral_constant<std::size_t, Count>) {
     lanes::Vector accumulated[Count];
-    lanes::convolve<stride>(left[0].data() + at, right[0].data() + at, 1, m, m, accumulated,
+    lanes::convolve<stride>(left[0].data() + at, right[0].data() + at, m, accumulated,
                             std::make_index_sequence<Count>{});
     for (std::size_t v = 0; v < Count; ++v) {
       lanes::store(accumulated[v], sums + at + v * lanes::width);
@@ -83,22 +122,16 @@ void sum_products(const Rows<Lanes>& left, const Rows<Lanes>& right, std::size_t
   }
 }
 
-/// sums[i] = sum of x_j[i] x_(m-j)[i] over 0 < j < m, with half the multiplications.
+/// Likewise sums of x_j[i] x_(m-j)[i], with half the multiplications.
 template <std::size_t Lanes>
 void sum_squares(const Rows<Lanes>& x, std::size_t m, double* sums) {
   constexpr std::size_t stride = lanes::padded(Lanes);
   constexpr std::size_t total = lanes::vectors(Lanes);
   const auto chunk = [&]<std::size_t Count>(std::size_t at, std::integral_constant<std::size_t, Count>) {
     lanes::Vector accumulated[Count];
-    lanes::convolve<stride>(x[0].data() + at, x[0].data() + at, 1, (m + 1) / 2, m, accumulated,
-                            std::make_index_sequence<Count>{});
+    lanes::convolve_square<stride>(x[0].data() + at, m, accumulated, std::make_index_sequence<Count>{});
     for (std::size_t v = 0; v < Count; ++v) {
-      lanes::Vector sum = accumulated[v] + accumulated[v];
-      if (m % 2 == 0) {
-        const lanes::Vector middle = lanes::load(x[m / 2].data() + at + v * lanes::width);
-        sum += middle * middle;
-      }
-      lanes::store(sum, sums + at + v * lanes::width);
+      lanes::store(accumulated[v], sums + at + v * lanes::width);
     }
   };
   for (std::size_t v = 0; v + lanes::at_once <= total; v += lanes::at_once) {
@@ -119,8 +152,8 @@ struct Coefficients {
 };
 
 /// The coefficients of the motion of a model with `Coordinates` and `Speeds`, and the lanes that they take.
-template <std::size_t Coordinates, std::size_t Speeds, std::size_t Products, std::size_t Squares,
-          std::size_t SlowSquares>
+template <std::size_t Coordinates, std::size_t Speeds, std::size_t Products, std::size_t SlowProducts,
+          std::size_t Squares, std::size_t SlowSquares>
 struct Series {
   static constexpr std::size_t size = Coordinates + Speeds;
 
@@ -130,25 +163,38 @@ struct Series {
 
   alignas(64) Rows<Products> left{};
   alignas(64) Rows<Products> right{};
+  alignas(64) Rows<SlowProducts> slow_left{};
+  alignas(64) Rows<SlowProducts> slow_right{};
   alignas(64) Rows<Squares> squares{};
   alignas(64) Rows<SlowSquares> slow_squares{};
   alignas(64) std::array<double, lanes::padded(Products)> product_sums{};
+  alignas(64) std::array<double, lanes::padded(SlowProducts)> slow_product_sums{};
   alignas(64) std::array<double, lanes::padded(Squares)> square_sums{};
   alignas(64) std::array<double, lanes::padded(SlowSquares)> slow_square_sums{};
 
   Coefficients coefficients() const { return {state[0].data(), lanes::padded(size)}; }
 
-  /// Sums of order 1, which are empty.
-  void clear_sums() {
+  /// Clears what the first pass reads before it is computed: sums of order 1, which are empty, and operands of order 1
+  /// that an earlier series has left.
+  void begin() {
     product_sums.fill(0);
+    slow_product_sums.fill(0);
     square_sums.fill(0);
     slow_square_sums.fill(0);
+    left[1].fill(0);
+    slow_left[1].fill(0);
+    slow_right[1].fill(0);
+    squares[1].fill(0);
+    slow_squares[1].fill(0);
   }
 
-  /// The sums of order m of all lanes; slow squares of order m - 1.
+  /// The sums of order m of fast lanes, and of order m - 1 of slow ones.
   void sum(std::size_t m) {
     if constexpr (Products > 0) {
       sum_products<Products>(left, right, m, product_sums.data());
+    }
+    if constexpr (SlowProducts > 0) {
+      sum_products<SlowProducts>(slow_left, slow_right, m - 1, slow_product_sums.data());
     }
     if constexpr (Squares > 0) {
       sum_squares<Squares>(squares, m, square_sums.data());
