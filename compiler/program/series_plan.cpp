@@ -104,6 +104,27 @@ class SeriesPlanner {
     return as_solved(row, value);
   }
 
+  /// A_k c: entries that differ by a number, as the two ends of a rod do, are multiplied once.
+  Expr along(const Row& row) {
+    std::vector<std::pair<Expr, Expr>> terms;
+    for (const Entry& entry : row.entries) {
+      const auto [factor, rest] = split(as_solved(row, entry.value));
+      const Expr multiple = factor * accelerations_[entry.speed];
+      const auto same =
+          std::find_if(terms.begin(), terms.end(), [like = rest](const auto& term) { return term.first == like; });
+      if (same == terms.end()) {
+        terms.emplace_back(rest, multiple);
+      } else {
+        same->second = same->second + multiple;
+      }
+    }
+    Expr sum = zero();
+    for (const auto& [rest, multiple] : terms) {
+      sum = sum + rest * multiple;
+    }
+    return sum;
+  }
+
   void solve(const Island& island) {
     const bool by_rows = rows_determine(island);
     if (!by_rows) {
@@ -113,11 +134,7 @@ class SeriesPlanner {
     for (const std::size_t k : island.rows) {
       const Row& row = derivatives_.rows[k];
       right.b.push_back(-known_part(row));
-      Expr of_known = zero();
-      for (const Entry& entry : row.entries) {
-        of_known = of_known + as_solved(row, entry.value) * accelerations_[entry.speed];
-      }
-      right.residual.push_back(right.b.back() - of_known);
+      right.residual.push_back(right.b.back() - along(row));
     }
     const mechanics::Elimination elimination = eliminate(island, derivatives_, right, graph_);
     plan_.pivots.push_back(elimination.pivots);

@@ -2,11 +2,10 @@
 // `simulate`: the main program of every emitted simulation.
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <variant>
+#include <vector>
 
 #include "mbrt/any_model.hpp"
 #include "mbrt/model.hpp"
@@ -62,17 +61,15 @@ class Relay {
   Observer& observer_;
 };
 
-/// Storage for the series of a model, if it has any.
+/// The series of a model, or nothing.
 template <class M>
 struct SeriesStorage {
-  using Type = std::monostate;
+  struct Type {};
 };
 template <HasSeries M>
 struct SeriesStorage<M> {
-  using Type = std::unique_ptr<typename M::Series>;
+  using Type = typename M::Series;
 };
-template <class M>
-using SeriesOf = typename SeriesStorage<M>::Type;
 
 /// `M` behind the interface of AnyModel, with methods (Rk4, Dop853, ...) compiled for it.
 template <Model M, class... Methods>
@@ -138,11 +135,9 @@ class BoundModel final : public AnyModel {
   std::optional<Coefficients> expand([[maybe_unused]] std::span<const double> state,
                                      [[maybe_unused]] std::size_t order) override {
     if constexpr (HasSeries<M>) {
-      if (series_ == nullptr) {
-        series_ = std::make_unique<typename M::Series>();
-      }
+      series_.resize(1);
       take(state, state_);
-      return model_.expand(state_, order, *series_) ? std::optional(series_->coefficients()) : std::nullopt;
+      return model_.expand(state_, order, series_[0]) ? std::optional(series_[0].coefficients()) : std::nullopt;
     } else {
       return std::nullopt;
     }
@@ -175,7 +170,7 @@ class BoundModel final : public AnyModel {
   M& model_;
   State state_;
   State rate_;
-  SeriesOf<M> series_;  ///< made when it is first asked for
+  std::vector<typename SeriesStorage<M>::Type> series_;  ///< one, when it is first asked for
 };
 
 /// The main program of an emitted simulation; see `run_program`.

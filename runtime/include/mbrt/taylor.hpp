@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
+#include <vector>
 
 #include "mbrt/adaptive.hpp"
 #include "mbrt/dop853.hpp"
@@ -38,13 +38,7 @@ class TaylorStepper {
 
   /// For states of the size of `like`.
   explicit TaylorStepper(const State& like)
-      : begin_(like),
-        end_(like),
-        rate_(like),
-        carry_(like),
-        per_allowed_(like),
-        fallback_(like),
-        series_(std::make_unique<typename M::Series>()) {}
+      : begin_(like), end_(like), rate_(like), carry_(like), per_allowed_(like), fallback_(like), series_(1) {}
 
   State& state() { return end_; }
   State& rate() { return rate_; }
@@ -97,10 +91,10 @@ class TaylorStepper {
 
   bool expand(M& model, double time) {
     ++expansions_;
-    if (!model.expand(begin_, order_, *series_)) {
+    if (!model.expand(begin_, order_, series_[0])) {
       return false;
     }
-    coefficients_ = coefficients_of(*series_);
+    coefficients_ = coefficients_of(series_[0]);
     step_ = std::min(length_for(order_ - 1), length_for(order_));
     return time + 0.5 * step_ > time;  // not so where a coefficient is not finite
   }
@@ -181,8 +175,8 @@ class TaylorStepper {
   State carry_;        ///< what is missing in the state by rounding
   State per_allowed_;  ///< 1 / error that the tolerance allows in a component
   Dop853Stepper<State> fallback_;
-  std::unique_ptr<typename M::Series> series_;
-  Coefficients coefficients_;  ///< in there
+  std::vector<typename M::Series> series_;  ///< one, on the heap: those of large models do not fit on every stack
+  Coefficients coefficients_;               ///< in there
   std::size_t order_ = 0;
   double step_ = 0;
   double time_ = 0;  ///< where the series starts
