@@ -12,7 +12,7 @@
 
 namespace mbrt {
 
-/// More would not pay: the order that a tolerance of 1e-16 asks for is 20.
+/// The smallest tolerance, the rounding of numbers, asks for 25.
 inline constexpr std::size_t largest_order = 30;
 
 namespace lanes {
