@@ -7,7 +7,7 @@ CLANG_TIDY ?= clang-tidy-14
 build = cmake --preset $(1) && cmake --build --preset $(1) -j $(JOBS)
 sources = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: all demo test stress bench fuzz docs gallery install format check-format tidy packages
+.PHONY: all demo test stress bench bench-series fuzz docs gallery install format check-format tidy packages
 all: packages
 	$(call build,release)
 
@@ -28,6 +28,11 @@ stress: all
 bench: packages
 	$(call build,release) --target mbcc_bench
 	build/release/benchmarks/mbcc_bench
+
+# Run time against true error of the emitted Taylor series.
+bench-series: packages
+	$(call build,release) --target mbcc_bench_series
+	build/release/benchmarks/mbcc_bench_series
 
 fuzz: packages
 	cmake/install-packages check

@@ -190,9 +190,10 @@ std::string ClassWriter::series() const {
   body += slow.text.empty() ? "" : "  if (k > 0) {\n" + indent(indent(slow.text)) + "  }\n";
   body += "  s.sum(k + 2);\n" + indent(solve.text) + "}\nreturn true;\n";
   return fmt::format(
-             "\n/// Where `expand` computes: for lanes of products, slow products, squares and slow squares.\n"
-             "using Series = mbrt::Series<coordinates, speeds, {}, {}, {}, {}>;\n",
-             series.products, series.slow_products, series.squares, series.slow_squares) +
+             "\n/// Where `expand` computes: for lanes of products, slow products, squares and slow squares, and "
+             "switches.\n"
+             "using Series = mbrt::Series<coordinates, speeds, {}, {}, {}, {}, {}>;\n",
+             series.products, series.slow_products, series.squares, series.slow_squares, series.switches) +
          function(
              "Taylor coefficients of the motion through `y`, up to `order`. False where the plain solve is not safe.",
              "bool expand(const State& y, std::size_t order, Series& s)", body);

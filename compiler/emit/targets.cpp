@@ -35,6 +35,10 @@ std::string_view array_of(Target target) {
       return "values";
     case Target::CoordinateFirst:
       return "s.state[1]";
+    case Target::SwitchStart:
+      return "s.switches[0]";
+    case Target::SwitchNow:
+      return "s.switches[k]";
     case Target::FreeNow:
       return "s.free";
     case Target::LeftNext:

@@ -117,9 +117,8 @@ Expr Expansion::squares(Expr a) {
   const auto lane = static_cast<std::uint32_t>(lanes_.square(pace_, rest));
   const bool is_fast = pace_ == Pace::Fast;
   const Kind operands = is_fast ? Kind::SquareFirst : Kind::SlowSquareFirst;
-  return number(a, factor * factor) *
-         (graph_.leaf(is_fast ? Kind::SquareSum : Kind::SlowSquareSum, lane) +
-          number(a, 2) * (graph_.leaf(operands, lane) * graph_.leaf(row_of(operands, newest()), lane)));
+  return number(a, 2 * factor * factor) * (graph_.leaf(is_fast ? Kind::SquareSum : Kind::SlowSquareSum, lane) +
+                                           graph_.leaf(operands, lane) * graph_.leaf(row_of(operands, newest()), lane));
 }
 
 }  // namespace mbcc::program

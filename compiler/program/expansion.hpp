@@ -10,8 +10,9 @@
 // The two terms with the newest operand are left to the expression that uses the sum: the newest operand is then read
 // as a number where it was just computed, and the sums do not wait for it. (A vector of numbers that were stored one by
 // one is not to be had before they all have reached the cache: measured, half the time of a small scene.) For m = 2
-// both are the same term, which the sum takes back once. Multipliers are known to order k - 1 only: they are stored two
-// rows late, so that A_(k-j) z_j is a product of order k + 2 like the others, whose row 1 on the right is zero.
+// both are the same term, which the sum takes back once. Of squares it is half the sum, which takes each product once.
+// Multipliers are known to order k - 1 only: they are stored two rows late, so that A_(k-j) z_j is a product of order k
+// + 2 like the others, whose row 1 on the right is zero.
 
 #include <array>
 #include <functional>

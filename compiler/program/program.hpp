@@ -113,6 +113,7 @@ struct SeriesKernels {
   std::size_t slow_products = 0;
   std::size_t squares = 0;
   std::size_t slow_squares = 0;
+  std::size_t switches = 0;
 };
 
 /// Rows (constraints) in elimination order and speeds of an island, as indices into the System's.

@@ -69,6 +69,7 @@ class Scheduler {
     series.slow_products = plan.slow_products;
     series.squares = plan.squares;
     series.slow_squares = plan.slow_squares;
+    series.switches = plan.switches;
     return series;
   }
 

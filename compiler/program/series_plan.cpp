@@ -179,6 +179,29 @@ class SeriesPlanner {
     }
   }
 
+  /// What changes its sign where some expression of the motion changes its side.
+  std::vector<Expr> switch_arguments() {
+    std::vector<Expr> moving = equations_.kinematics;
+    moving.insert(moving.end(), derivatives_.free.begin(), derivatives_.free.end());
+    for (const Row& row : derivatives_.rows) {
+      moving.push_back(row.value);
+    }
+    std::vector<Expr> arguments;
+    for (const graph::NodeId id : graph::reachable(graph_, moving)) {
+      const Node node = graph_[id];
+      if (node.kind != Kind::Apply || graph::row(node.op).recurrence != graph::Recurrence::Switch ||
+          node.op == graph::Operator::If) {
+        continue;
+      }
+      const Expr left = graph_.at(node.operands[0]);
+      const Expr argument = node.used_operands().size() == 1 ? left : left - graph_.at(node.operands[1]);
+      if (!rests(argument) && std::find(arguments.begin(), arguments.end(), argument) == arguments.end()) {
+        arguments.push_back(argument);
+      }
+    }
+    return arguments;
+  }
+
   /// The lanes' operands. New lanes may join while those of others are expanded.
   void update_operands() {
     Expansion fast(graph_, lanes_, Pace::Fast, 1, leaves(of_state(Kind::StateNext), leaf(Kind::Impulse, 1), resting()));
@@ -192,6 +215,11 @@ class SeriesPlanner {
     };
     for (const std::size_t speed : moving_forces_) {
       plan_.slow.push_back({Target::FreeNow, speed, slow.coefficient(derivatives_.free[speed]), speed});
+    }
+    for (const Expr argument : switch_arguments()) {
+      const std::size_t index = plan_.switches++;
+      plan_.start.push_back({Target::SwitchStart, index, argument, index});
+      plan_.slow.push_back({Target::SwitchNow, index, slow.coefficient(argument), index});
     }
     for (std::size_t i = 0; i < lanes_.reactions().size(); ++i) {
       const ReactionLane lane = lanes_.reactions()[i];

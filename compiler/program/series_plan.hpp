@@ -14,6 +14,8 @@
 // so that S_0 z_k = -(k+1)(k+2) H - A_0 c_k, with S_0 = A_0 M^-1 A_0^T the matrix of the ordinary solve. For rods this
 // costs less than half the convolutions that S, b and z would: H needs but squares, and A comes with them. Where the
 // rows alone determine the accelerations, A_0 u'_k = -(k+1)(k+2) H.
+// A switch (abs, sign, min, max, comparisons) has no series across the point where its argument changes sign. The
+// coefficients of the arguments are computed as well: steps end there.
 // The factorisation must be the plain step of Note [rank ladder] (runtime/include/mbrt/island.hpp): where the rank
 // changes the motion need not have a series.
 
@@ -35,6 +37,7 @@ struct SeriesPlan {
   std::size_t slow_products = 0;
   std::size_t squares = 0;
   std::size_t slow_squares = 0;
+  std::size_t switches = 0;
 
   std::vector<graph::Expr> roots() const;
 };

@@ -43,7 +43,10 @@ TEST_CASE("mistakes on the command line end with exit code 2 and one line") {
       {{"--residuals"}, "`--residuals` adds to what is recorded: it needs `--csv` or `--npy`"},
       {{"--csv", "/nowhere/a.csv"}, "cannot write `/nowhere/a.csv`: No such file or directory"},
       {{"--method", "radau"},
-       "the method `radau` is not part of this version of mbcc, which has `rk4`, `dop853` and `auto`"},
+       "the method `radau` is not part of this version of mbcc, which has `rk4`, `dop853`, `taylor` and `auto`"},
+      {{"--method", "taylor"},
+       "this program has no Taylor series: compile the model with `--method taylor`, or let its `integrate` name the "
+       "method"},
       {{"--method", "dop853", "--tolerance", "1e-16"}, "the tolerance 1e-16 is below 2.2e-16, the rounding of numbers"},
       {{"--fix", "x1"}, "`--fix` holds what `--assemble` would move: it needs `--assemble`"},
       {{"--assemble", "--fix", "x3"}, "the model has no coordinate or speed `x3`, did you mean `x1`"},

@@ -135,8 +135,6 @@ TEST_CASE("durations are said in the largest unit that fits") {
   CHECK(duration(7380) == "2 h 3 min");
 }
 
-}  // namespace mbrt
-
 TEST_CASE("a report tells how many steps a series left to another method") {
   Options options = from_zero_to(5, not_given);
   options.method = "taylor";
@@ -150,3 +148,5 @@ TEST_CASE("a report tells how many steps a series left to another method") {
         "mechanism: ok, taylor, 100 steps to tolerance 1e-12 from t = 0 to 5 in 0.093 ms\n"
         "  2 steps left to `dop853`, where there is no series\n");
 }
+
+}  // namespace mbrt

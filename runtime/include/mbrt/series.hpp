@@ -68,7 +68,7 @@ template <std::size_t Stride, std::size_t... V>
   ((sums[V] += upper[V]), ...);
 }
 
-/// Likewise sums of x_j x_(m-j).
+/// Likewise half the sums of x_j x_(m-j).
 template <std::size_t Stride, std::size_t... V>
 [[gnu::always_inline]] inline void convolve_square(const double* x, std::size_t m, Vector* sums,
                                                    std::index_sequence<V...>) {
@@ -85,11 +85,10 @@ template <std::size_t Stride, std::size_t... V>
     ((odd[V] += load(x + (j - 1) * Stride + V * width) * load(x + (m - j + 1) * Stride + V * width)), ...);
   }
   ((sums[V] += odd[V]), ...);
-  ((sums[V] += sums[V]), ...);
   if (m % 2 == 0) {
     const std::size_t middle = m / 2 * Stride;
-    const double sign = m == 2 ? -1 : 1;
-    ((sums[V] += sign * (load(x + middle + V * width) * load(x + middle + V * width))), ...);
+    const double weight = m == 2 ? -0.5 : 0.5;
+    ((sums[V] += weight * (load(x + middle + V * width) * load(x + middle + V * width))), ...);
   }
 }
 
@@ -122,7 +121,7 @@ void sum_products(const Rows<Lanes>& left, const Rows<Lanes>& right, std::size_t
   }
 }
 
-/// Likewise sums of x_j[i] x_(m-j)[i], with half the multiplications.
+/// Likewise half the sums of x_j[i] x_(m-j)[i], with half the multiplications.
 template <std::size_t Lanes>
 void sum_squares(const Rows<Lanes>& x, std::size_t m, double* sums) {
   constexpr std::size_t stride = lanes::padded(Lanes);
@@ -143,22 +142,31 @@ void sum_squares(const Rows<Lanes>& x, std::size_t m, double* sums) {
   }
 }
 
-/// Where the coefficients of a motion are: a row for each order, padded to whole vectors.
-struct Coefficients {
+/// Where the coefficients of several quantities are: a row for each order, padded to whole vectors.
+struct CoefficientRows {
   const double* first = nullptr;
   std::size_t stride = 0;
+  std::size_t count = 0;  ///< quantities
 
   const double* row(std::size_t order) const { return first + order * stride; }
 };
 
+/// The series of a motion up to some order, and up to one less those of the arguments of its switches: a series holds
+/// as long as none of these changes its sign.
+struct Coefficients {
+  CoefficientRows state;
+  CoefficientRows switches;
+};
+
 /// The coefficients of the motion of a model with `Coordinates` and `Speeds`, and the lanes that they take.
 template <std::size_t Coordinates, std::size_t Speeds, std::size_t Products, std::size_t SlowProducts,
-          std::size_t Squares, std::size_t SlowSquares>
+          std::size_t Squares, std::size_t SlowSquares, std::size_t Switches>
 struct Series {
   static constexpr std::size_t size = Coordinates + Speeds;
 
   /// y(t + h) = sum of state[k] h^k. Coordinates are known to one order more than was asked for.
   alignas(64) Rows<size> state{};
+  alignas(64) Rows<Switches> switches{};
   std::array<double, Speeds> free{};  ///< accelerations without constraints, at the order of the pass
 
   alignas(64) Rows<Products> left{};
@@ -172,7 +180,9 @@ struct Series {
   alignas(64) std::array<double, lanes::padded(Squares)> square_sums{};
   alignas(64) std::array<double, lanes::padded(SlowSquares)> slow_square_sums{};
 
-  Coefficients coefficients() const { return {state[0].data(), lanes::padded(size)}; }
+  Coefficients coefficients() const {
+    return {{state[0].data(), lanes::padded(size), size}, {switches[0].data(), lanes::padded(Switches), Switches}};
+  }
 
   /// Clears what the first pass reads before it is computed: sums of order 1, which are empty, and operands of order 1
   /// that an earlier series has left.

@@ -98,7 +98,53 @@ class TaylorStepper {
     }
     coefficients_ = coefficients_of(series_[0]);
     step_ = std::exp2(std::min(log_length_for(order_ - 1), log_length_for(order_)));
-    return time + 0.5 * step_ > time;  // not so where a coefficient is not finite
+    return end_before_switches(time) && time + 0.5 * step_ > time;  // not so where a coefficient is not finite
+  }
+
+  /// Shortens the step to end just behind the first switch. False for a start on one, which is on neither side.
+  ///
+  /// The argument p of a switch changes by at most L times the way, L the largest slope that its terms allow within the
+  /// step: from t on it keeps its sign for |p(t)| / L at least. Going so far again and again approaches the first zero
+  /// from below, and never passes one. Behind it the series of the old side is used for a hundredth of the tolerance of
+  /// the step, which is far enough for the argument to have changed its sign.
+  bool end_before_switches(double time) {
+    ends_at_switch_ = false;
+    for (std::size_t i = 0; i < coefficients_.switches.count; ++i) {
+      if (coefficients_.switches.row(0)[i] == 0) {
+        return false;
+      }
+      const double behind =
+          0.01 * task_.tolerance * step_ + 4 * std::numeric_limits<double>::epsilon() * std::abs(time);
+      const double zero = approach_zero(i, behind);
+      if (zero < step_) {
+        step_ = zero + behind;
+        ends_at_switch_ = true;
+      }
+    }
+    return true;
+  }
+
+  /// A time before the first zero of the argument of a switch, as near to it as `near` where the bound on its slope is
+  /// sharp; the step's length if there is none within it.
+  double approach_zero(std::size_t i, double near) const {
+    constexpr int patience = 60;
+    double slope = 0;
+    for (std::size_t k = order_ - 1; k > 0; --k) {
+      slope = slope * step_ + static_cast<double>(k) * std::abs(coefficients_.switches.row(k)[i]);
+    }
+    double at = 0;
+    for (int n = 0; n < patience && at < step_; ++n) {
+      double value = 0;
+      for (std::size_t k = order_; k-- > 0;) {
+        value = value * at + coefficients_.switches.row(k)[i];
+      }
+      const double way = std::abs(value) / slope;
+      at += way;
+      if (!(way > near)) {
+        break;
+      }
+    }
+    return std::min(at, step_);
   }
 
   static Coefficients coefficients_of(const Coefficients& series) { return series; }
@@ -110,7 +156,7 @@ class TaylorStepper {
   /// The binary logarithm of the step at which the term of one order is as large as is allowed; not finite or -infinity
   /// where the term is not finite.
   double log_length_for(std::size_t order) const {
-    const double* const terms = coefficients_.row(order);
+    const double* const terms = coefficients_.state.row(order);
     double largest = 0;
     for (std::size_t j = 0; j < begin_.size(); ++j) {
       largest = max(largest, std::abs(terms[j]) * per_allowed_[j]);
@@ -119,7 +165,7 @@ class TaylorStepper {
   }
 
   Attempt advance(double time, double to) {
-    const double end = landing(time, step_, to);
+    const double end = ends_at_switch_ ? std::min(time + step_, to) : landing(time, step_, to);
     time_ = time;
     sum_series(end - time, end_);
     for (std::size_t j = 0; j < end_.size(); ++j) {
@@ -142,12 +188,12 @@ class TaylorStepper {
     for (std::size_t first = 0; first < size; first += lanes::width) {
       lanes::Vector even{}, odd{};
       for (std::size_t k = highest_even; k > 0; k -= 2) {
-        even = (even + lanes::load(coefficients_.row(k) + first)) * square;
+        even = (even + lanes::load(coefficients_.state.row(k) + first)) * square;
       }
       for (std::size_t k = highest_odd; k > 1; k -= 2) {
-        odd = (odd + lanes::load(coefficients_.row(k) + first)) * square;
+        odd = (odd + lanes::load(coefficients_.state.row(k) + first)) * square;
       }
-      const lanes::Vector sum = even + (odd + lanes::load(coefficients_.row(1) + first)) * h;
+      const lanes::Vector sum = even + (odd + lanes::load(coefficients_.state.row(1) + first)) * h;
       for (std::size_t j = first; j < std::min(first + lanes::width, size); ++j) {
         y[j] = sum[j - first];
       }
@@ -192,6 +238,7 @@ class TaylorStepper {
   double time_ = 0;  ///< where the series starts
   bool arrived_ = true;
   bool falls_back_ = false;
+  bool ends_at_switch_ = false;
   long expansions_ = 0;
   long fallbacks_ = 0;
 };
