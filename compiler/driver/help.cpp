@@ -59,10 +59,15 @@ A prime is the total time derivative: (x1*y1)'. Holonomic or not is decided from
 constexpr std::string_view run = R"(Flags of `mbcc run MODEL.mbd` and of emitted programs
 
   --from T0 --to T1 --step H           times; the model's `integrate` gives the defaults
-  --method rk4                         classical Runge-Kutta with constant step
+  --method NAME                        rk4: classical Runge-Kutta with constant step; dop853: order 8, chooses its steps;
+                                       auto: chooses among those that choose their steps. Without a method in the model
+                                       or on the line it is rk4 where there is a step, else auto
+  --tolerance TOL                      error per step, relative to the state and its size at the start (default 1e-9)
   --set NAME=VALUE ...                 parameters
   --initial NAME=VALUE ...             coordinates and speeds at the start
   --assemble --fix NAME ...            move the start to the nearest consistent one; what is fixed or given stays
+  --project on|off                     move each step's end onto the constraints (on, but for rk4)
+  --stabilize B1,B2,B3                 Baumgarte: h'' + 2 B1 B2 h' + B2^2 h = 0, g' + B3 g = 0
   --csv FILE --every DT                record rows (- is standard output)
   --npy FILE                           the same rows for NumPy: five times as fast to write, less than half as large
   --residuals                          record the errors of every constraint and the energy too, as further columns

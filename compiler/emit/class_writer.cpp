@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "emit/code.hpp"
+#include "emit/targets.hpp"
 
 namespace mbcc::cpp {
 
 namespace {
 
 using program::IslandIndices;
+using program::Unknowns;
 
 /// `body` two columns further in.
 std::string indent(std::string_view body) {
@@ -95,6 +97,7 @@ std::string ClassWriter::functions() const {
   text += set_time();
   text += rates();
   text += program_.series ? series() : "";
+  text += program_.velocity_shifts.islands.empty() ? "" : project();
   text += program_.islands.empty() ? "" : island_functions();
   text += system_.constraints.empty() ? "" : constraint_errors();
   text += program_.energy.sections.front().has_stores() ? energy() : "";
@@ -107,6 +110,10 @@ std::string ClassWriter::members() const {
   std::string text;
   for (std::size_t i = 0; i < program_.islands.size(); ++i) {
     text += island_members(i);
+  }
+  if (!program_.velocity_shifts.islands.empty()) {
+    text += program_.position_shifts.islands.empty() ? "" : shifts("shift_positions", program_.position_shifts);
+    text += shifts("shift_velocities", program_.velocity_shifts);
   }
   text += fmt::format("std::array<double, {}> parameters_{{", system_.parameters.size());
   for (std::size_t i = 0; i < system_.parameters.size(); ++i) {
@@ -199,6 +206,32 @@ std::string ClassWriter::series() const {
              "bool expand(const State& y, std::size_t order, Series& s)", body);
 }
 
+std::string ClassWriter::project() const {
+  std::string text = "std::array<double, speeds> shift{};\n";
+  const auto move = [&](std::string_view kernel, std::string_view component) {
+    text += fmt::format(
+        "{}(y, shift);\n"
+        "for (std::size_t i = 0; i < speeds; ++i) {{\n"
+        "  y[{}] += shift[i];\n"
+        "}}\n",
+        kernel, component);
+  };
+  if (!program_.position_shifts.islands.empty()) {
+    move("shift_positions", "i");
+  }
+  move("shift_velocities", "coordinates + i");
+  return function(
+      "Moves a state onto the constraints: a step of Newton's method for the coordinates, then one for the "
+      "speeds.",
+      "void project(State& y)", text);
+}
+
+std::string ClassWriter::shifts(std::string_view name, const program::Kernel& kernel) const {
+  const Body shifts = body(kernel);
+  return fmt::format("void {}(const State& {}, std::array<double, speeds>& shift) {{\n{}}}\n\n", name,
+                     argument("y", shifts.reads_state), indent(shifts.text));
+}
+
 std::string ClassWriter::island_functions() const {
   const std::size_t islands = program_.islands.size();
   return "\n/// Scales and counters of one island, and storage for its rows.\n" +
@@ -251,18 +284,50 @@ std::string ClassWriter::island_members(std::size_t island) const {
   text += fmt::format("  const mbrt::IslandRows rows = island_{}_.view().rows;\n  rows.clear();\n", number);
   text += indent(rows.text) + "}\n\n";
 
-  text += fmt::format(
-      "[[gnu::noinline, gnu::cold]] std::array<double, {1}> climb_{0}(State y) {{\n"
-      "  rows_{0}(y);\n"
-      "  const mbrt::Island island = island_{0}_.view();\n"
-      "  std::array<double, {1}> u{{}};\n"
-      "  mbrt::climb(island, u);\n"
-      "  for (std::size_t j = 0; j < u.size(); ++j) {{\n"
-      "    u[j] += island.rows.free[j];\n"
-      "  }}\n"
-      "  return u;\n"
-      "}}\n\n",
-      number, program_.islands[island].speeds.size());
+  text += climb(island, Unknowns::Accelerations,
+                "mbrt::climb(island, u);\n"
+                "for (std::size_t j = 0; j < u.size(); ++j) {\n"
+                "  u[j] += island.rows.free[j];\n"
+                "}\n");
+  const auto solves = [island](const program::Kernel& kernel) {
+    return std::any_of(kernel.islands.begin(), kernel.islands.end(),
+                       [island](const program::IslandSolve& solve) { return solve.island == island; });
+  };
+  if (solves(program_.position_shifts)) {
+    text +=
+        climb(island, Unknowns::Displacements,
+              nonholonomic_rows_ignored(island) +
+                  "mbrt::correct(island, island.rows.position, mbrt::extent(std::span(y).first(coordinates)), u);\n");
+  }
+  if (solves(program_.velocity_shifts)) {
+    text += climb(island, Unknowns::SpeedChanges,
+                  "mbrt::correct(island, island.rows.velocity, mbrt::extent(std::span(y).last(speeds)), u);\n");
+  }
+  return text;
+}
+
+/// The rest of the rank ladder: `solve` computes u from `island`, whose rows are those at y.
+std::string ClassWriter::climb(std::size_t island, program::Unknowns unknowns, const std::string& solve) const {
+  return fmt::format(
+             "[[gnu::noinline, gnu::cold]] std::array<double, {1}> {2}_{0}(State y) {{\n"
+             "  rows_{0}(y);\n"
+             "  const mbrt::Island island = island_{0}_.view();\n"
+             "  std::array<double, {1}> u{{}};\n",
+             island + 1, program_.islands[island].speeds.size(), climb_of(unknowns)) +
+         indent(solve) +
+         "  return u;\n"
+         "}\n\n";
+}
+
+/// Constraints on speeds do not bind coordinates.
+std::string ClassWriter::nonholonomic_rows_ignored(std::size_t island) const {
+  std::string text;
+  const std::vector<std::size_t>& rows = program_.islands[island].constraints;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (!system_.constraints[rows[k]].holonomic) {
+      text += fmt::format("island.rows.ignore({});\n", k);
+    }
+  }
   return text;
 }
 

@@ -29,12 +29,16 @@ class ClassWriter {
   std::string set_time() const;
   std::string rates() const;
   std::string series() const;
+  std::string project() const;
+  std::string shifts(std::string_view name, const program::Kernel& kernel) const;
   std::string island_functions() const;
   std::string constraint_errors() const;
   std::string energy() const;
   std::string outputs() const;
   std::string applied_forces() const;
   std::string island_members(std::size_t island) const;
+  std::string climb(std::size_t island, program::Unknowns unknowns, const std::string& solve) const;
+  std::string nonholonomic_rows_ignored(std::size_t island) const;
 
   const program::Program& program_;
   const model::System& system_;

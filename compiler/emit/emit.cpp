@@ -38,7 +38,7 @@ struct MethodCode {
 
 /// What a run takes unless it is told otherwise; it is compiled with the model. The others are in the library.
 MethodCode method_of(const model::Integration& integration) {
-  const std::string method = integration.method.value_or(integration.step ? "rk4" : "dop853");
+  const std::string method = integration.method.value_or(integration.chooses_step() ? "dop853" : "rk4");
   return method == "rk4"      ? MethodCode{"rk4", "mbrt::Rk4"}
          : method == "taylor" ? MethodCode{"taylor", "mbrt::Taylor"}
          : method == "auto"   ? MethodCode{"taylor", "mbrt::Dop853, mbrt::Taylor"}

@@ -333,26 +333,29 @@ class KernelWriter {
     if (island.refuses) {
       line("return false;");
     } else {
-      write_climb(island.island);
+      write_climb(island);
     }
   }
 
-  /// Accelerations by the rest of the rank ladder. State and result are passed by value: nothing takes the address of
+  /// The unknowns by the rest of the rank ladder. State and result are passed by value: nothing takes the address of
   /// `y` or `rate`, which can then live in registers.
-  void write_climb(std::size_t island) {
+  void write_climb(const IslandSolve& island) {
     body_.reads_state = true;
     const std::string u = scope_.declare("u");
-    line(fmt::format("const auto {} = climb_{}(y);", u, island + 1));
-    const std::vector<std::size_t>& speeds = program_.islands[island].speeds;
-    const std::size_t first = naming_.coordinates.size() + speeds.front();
+    line(fmt::format("const auto {} = {}_{}(y);", u, climb_of(island.unknowns), island.island + 1));
+    const std::vector<std::size_t>& speeds = program_.islands[island.island].speeds;
+    const bool is_rate = island.unknowns == program::Unknowns::Accelerations;
+    const std::string_view result = array_of(is_rate ? Target::Rate : Target::Shift);
+    const std::size_t offset = is_rate ? naming_.coordinates.size() : 0;
+    const std::size_t first = offset + speeds.front();
     if (speeds.size() >= program::shortest_run && speeds.back() - speeds.front() + 1 == speeds.size()) {
       line(fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0}) {{", i_, speeds.size()));
-      line(fmt::format("  rate[{}] = {}[{}];", affine(static_cast<long>(first), 1, i_), u, i_));
+      line(fmt::format("  {}[{}] = {}[{}];", result, affine(static_cast<long>(first), 1, i_), u, i_));
       line("}");
       return;
     }
     for (std::size_t j = 0; j < speeds.size(); ++j) {
-      line(fmt::format("rate[{}] = {}[{}];", naming_.coordinates.size() + speeds[j], u, j));
+      line(fmt::format("{}[{}] = {}[{}];", result, offset + speeds[j], u, j));
     }
   }
 

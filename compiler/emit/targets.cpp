@@ -12,6 +12,8 @@ std::string_view array_of(Target target) {
       return "y";
     case Target::Rate:
       return "rate";
+    case Target::Shift:
+      return "shift";
     case Target::Matrix:
       return "rows.matrix";
     case Target::Residual:
@@ -65,6 +67,18 @@ std::string_view array_of(Target target) {
       break;
   }
   MBCC_ASSERT(target != Target::Energy);
+  return {};
+}
+
+std::string_view climb_of(program::Unknowns unknowns) {
+  switch (unknowns) {
+    case program::Unknowns::Accelerations:
+      return "climb";
+    case program::Unknowns::Displacements:
+      return "climb_to_position";
+    case program::Unknowns::SpeedChanges:
+      return "climb_to_velocity";
+  }
   return {};
 }
 

@@ -104,6 +104,9 @@ struct Output {
 struct Integration {
   std::optional<double> from, to, step, tolerance, every;
   std::optional<std::string> method;
+
+  /// Whether runs choose their steps unless they are told otherwise: a step without a method means rk4.
+  bool chooses_step() const { return method ? *method != "rk4" : !step; }
 };
 
 struct System {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mechanics/corrections.hpp"
+
 namespace mbcc::program {
 
 namespace {
@@ -52,15 +54,36 @@ std::vector<Wanted> rows_of(const Island& island, const model::System& system, c
   return wanted;
 }
 
-IslandPlan plan_island(const Island& island, const model::System& system, const Derivatives& derivatives,
-                       graph::Graph& graph) {
-  const std::size_t coordinates = system.coordinates.size();
-  IslandPlan plan{eliminate(island, derivatives, graph), {}, rows_of(island, system, derivatives)};
+/// `derivatives` may be those of a correction, of fewer rows than the island has.
+IslandPlan plan_solve(std::size_t index, Unknowns unknowns, const std::vector<std::size_t>& rows_of_island,
+                      const model::System& system, const Derivatives& derivatives, graph::Graph& graph) {
+  const Island& island = derivatives.islands[index];
+  IslandPlan plan{index, unknowns, eliminate(island, derivatives, graph), {}, {}};
+  for (const std::size_t row : island.rows) {
+    plan.floors.push_back(static_cast<std::size_t>(std::find(rows_of_island.begin(), rows_of_island.end(), row) -
+                                                   rows_of_island.begin()));
+  }
+  const bool is_rate = unknowns == Unknowns::Accelerations;
   for (std::size_t j = 0; j < island.speeds.size(); ++j) {
     const std::size_t speed = island.speeds[j];
-    plan.accelerations.push_back({Target::Rate, coordinates + speed, plan.elimination.accelerations[j], speed});
+    plan.solution.push_back({is_rate ? Target::Rate : Target::Shift,
+                             is_rate ? system.coordinates.size() + speed : speed, plan.elimination.accelerations[j],
+                             speed});
   }
   return plan;
+}
+
+std::vector<IslandPlan> plan_shifts(mechanics::ErrorLevel level, const model::System& system,
+                                    const Derivatives& derivatives, graph::Graph& graph) {
+  const Derivatives corrected = corrections(derivatives, system, level, graph);
+  const Unknowns unknowns = level == mechanics::ErrorLevel::Position ? Unknowns::Displacements : Unknowns::SpeedChanges;
+  std::vector<IslandPlan> plans;
+  for (std::size_t i = 0; i < corrected.islands.size(); ++i) {
+    if (!corrected.islands[i].rows.empty()) {
+      plans.push_back(plan_solve(i, unknowns, derivatives.islands[i].rows, system, corrected, graph));
+    }
+  }
+  return plans;
 }
 
 std::vector<Wanted> errors_of(const model::System& system, const Derivatives& derivatives, graph::Graph& graph) {
@@ -111,9 +134,11 @@ std::vector<Expr> Plan::roots() const {
        {&initial, &kinematics, &free_accelerations, &constraint_errors, &energy, &outputs, &applied_forces}) {
     add(*wanted);
   }
-  for (const IslandPlan& island : islands) {
-    add(island.accelerations);
-    add(island.rows);
+  for (const std::vector<Wanted>& rows : island_rows) {
+    add(rows);
+  }
+  const auto add_solve = [&](const IslandPlan& island) {
+    add(island.solution);
     for (const mechanics::Pivot& pivot : island.elimination.pivots) {
       roots.push_back(pivot.diagonal);
       roots.push_back(pivot.pivot);
@@ -129,6 +154,9 @@ std::vector<Expr> Plan::roots() const {
         roots.insert(roots.end(), row.begin(), row.end());
       }
     }
+  };
+  for (const auto* solves : {&islands, &position_shifts, &velocity_shifts}) {
+    std::for_each(solves->begin(), solves->end(), add_solve);
   }
   return roots;
 }
@@ -143,12 +171,18 @@ Plan make_plan(const model::System& system, const Equations& equations, const De
   }
   plan.kinematics = all_of(Target::Rate, equations.kinematics);
   std::vector<bool> in_island(system.speeds.size());
-  for (const Island& island : derivatives.islands) {
-    plan.islands.push_back(plan_island(island, system, derivatives, graph));
+  for (std::size_t i = 0; i < derivatives.islands.size(); ++i) {
+    const Island& island = derivatives.islands[i];
+    plan.islands.push_back(plan_solve(i, Unknowns::Accelerations, island.rows, system, derivatives, graph));
+    plan.island_rows.push_back(rows_of(island, system, derivatives));
     name_solve(plan, plan.islands.back(), island, system, derivatives);
     for (const std::size_t speed : island.speeds) {
       in_island[speed] = true;
     }
+  }
+  if (system.integration.chooses_step()) {
+    plan.position_shifts = plan_shifts(mechanics::ErrorLevel::Position, system, derivatives, graph);
+    plan.velocity_shifts = plan_shifts(mechanics::ErrorLevel::Velocity, system, derivatives, graph);
   }
   for (std::size_t j = 0; j < system.speeds.size(); ++j) {
     if (!in_island[j]) {

@@ -21,9 +21,11 @@ struct Wanted {
 };
 
 struct IslandPlan {
+  std::size_t island;
+  Unknowns unknowns;
   mechanics::Elimination elimination;
-  std::vector<Wanted> accelerations;  ///< Rate of the island's speeds when the plain solve holds
-  std::vector<Wanted> rows;           ///< Matrix, Residual, Free, Mobility
+  std::vector<std::size_t> floors;  ///< by pivot: the row of the island whose floor it must keep
+  std::vector<Wanted> solution;     ///< Rate or Shift of the island's speeds when the plain solve holds
 };
 
 struct Plan {
@@ -31,6 +33,9 @@ struct Plan {
   std::vector<Wanted> kinematics;          ///< Rate of coordinates
   std::vector<Wanted> free_accelerations;  ///< Rate of speeds in no island
   std::vector<IslandPlan> islands;
+  std::vector<std::vector<Wanted>> island_rows;  ///< Matrix, Residual, Free, Mobility, errors: by island
+  std::vector<IslandPlan> position_shifts;       ///< of islands with holonomic rows
+  std::vector<IslandPlan> velocity_shifts;
   std::vector<Wanted> constraint_errors;
   std::vector<Wanted> energy;
   std::vector<Wanted> outputs;

@@ -85,6 +85,10 @@ std::string print(const program::Program& program, const model::System& system) 
   printer.kernel("prepare", program.prepare);
   printer.kernel("time", program.time);
   printer.kernel("rates", program.rates);
+  if (!program.velocity_shifts.islands.empty()) {
+    printer.kernel("position_shifts", program.position_shifts);
+    printer.kernel("velocity_shifts", program.velocity_shifts);
+  }
   for (std::size_t i = 0; i < program.island_rows.size(); ++i) {
     printer.kernel(fmt::format("rows of island {}", i + 1), program.island_rows[i]);
   }

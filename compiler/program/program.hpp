@@ -87,11 +87,15 @@ struct Section {
   }
 };
 
-/// Accelerations of one island: `solve`, and the rest of the rank ladder instead if a guard does not hold. Without
+/// What an island is solved for.
+enum class Unknowns { Accelerations, Displacements, SpeedChanges };
+
+/// The unknowns of one island: `solve`, and the rest of the rank ladder instead if a guard does not hold. Without
 /// guards the pivots are constant and safe.
 struct IslandSolve {
   std::size_t island;
-  Section solve;               ///< rows, pivots, multipliers, accelerations
+  Unknowns unknowns = Unknowns::Accelerations;
+  Section solve;               ///< rows, pivots, multipliers, unknowns
   bool always_climbs = false;  ///< more rows than speeds, or pivots constant and not safe: no solve
   bool refuses = false;        ///< rather than climb, the kernel gives up
 };
@@ -99,7 +103,7 @@ struct IslandSolve {
 struct Kernel {
   Level level = Level::State;
   std::vector<Section> sections;
-  std::vector<IslandSolve> islands;  ///< after the sections; only in `rates`, and in the start of a series
+  std::vector<IslandSolve> islands;  ///< after the sections; in `rates`, the shifts and the start of a series
   std::vector<NodeId> provides;      ///< values that kernels of higher levels read
 };
 
@@ -132,6 +136,8 @@ struct Program {
   Kernel prepare;  ///< what depends on parameters alone and is needed later: no stores
   Kernel time;     ///< likewise on time
   Kernel rates;
+  Kernel position_shifts;  ///< onto the constraints, where runs project: else, and without constraints, empty
+  Kernel velocity_shifts;
   std::vector<Kernel> island_rows;  ///< one per island
   Kernel constraint_errors;
   Kernel energy;  ///< without stores where the energy is not known

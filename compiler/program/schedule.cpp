@@ -42,8 +42,17 @@ class Scheduler {
     std::set<NodeId> computed;
     kernel.sections.push_back(section(Level::State, plan.kinematics, computed));
     kernel.sections.push_back(section(Level::State, plan.free_accelerations, computed));
-    for (std::size_t i = 0; i < plan.islands.size(); ++i) {
-      kernel.islands.push_back(solve(i, plan.islands[i], computed));
+    for (const IslandPlan& island : plan.islands) {
+      kernel.islands.push_back(solve(island, computed));
+    }
+    return kernel;
+  }
+
+  Kernel shifts(const std::vector<IslandPlan>& islands) {
+    Kernel kernel;
+    std::set<NodeId> computed;
+    for (const IslandPlan& island : islands) {
+      kernel.islands.push_back(solve(island, computed));
     }
     return kernel;
   }
@@ -158,8 +167,8 @@ class Scheduler {
       visit(lowering_(pivot.diagonal), Level::State, live, order);
       visit(lowering_(pivot.scale), Level::State, live, order);
     }
-    for (const Wanted& acceleration : plan.accelerations) {
-      visit(lowering_(acceleration.value), Level::State, live, order);
+    for (const Wanted& unknown : plan.solution) {
+      visit(lowering_(unknown.value), Level::State, live, order);
     }
     return live;
   }
@@ -177,21 +186,22 @@ class Scheduler {
            });
   }
 
-  void add_guard(std::size_t k, const mechanics::Pivot& pivot, std::set<NodeId>& computed, Unit& unit) {
+  void add_guard(std::size_t row, const mechanics::Pivot& pivot, std::set<NodeId>& computed, Unit& unit) {
     if (!is_known(pivot)) {
       for (const graph::Expr value : {pivot.pivot, pivot.diagonal, pivot.scale}) {
         visit(lowering_(value), Level::State, computed, unit.order);
       }
-      unit.guards.push_back({k, lowering_(pivot.diagonal), lowering_(pivot.pivot), lowering_(pivot.scale)});
+      unit.guards.push_back({row, lowering_(pivot.diagonal), lowering_(pivot.pivot), lowering_(pivot.scale)});
     }
   }
 
-  /// Rows in the order of the model, pivots in the order of elimination, multipliers backwards, accelerations.
-  IslandSolve solve(std::size_t index, const IslandPlan& plan, std::set<NodeId>& computed) {
+  /// Rows in the order of the model, pivots in the order of elimination, multipliers backwards, unknowns.
+  IslandSolve solve(const IslandPlan& plan, std::set<NodeId>& computed) {
     IslandSolve solve;
-    solve.island = index;
+    solve.island = plan.island;
+    solve.unknowns = plan.unknowns;
     const mechanics::Elimination& elimination = plan.elimination;
-    if (must_climb(plan.elimination.pivots, plan.accelerations.size())) {
+    if (must_climb(plan.elimination.pivots, plan.solution.size())) {
       solve.always_climbs = true;
       return solve;
     }
@@ -210,7 +220,7 @@ class Scheduler {
     }
     for (std::size_t k = 0; k < elimination.pivots.size(); ++k) {
       const mechanics::Pivot& pivot = elimination.pivots[k];
-      add_guard(k, pivot, computed, add_unit({pivot.pivot, elimination.forward[k]}));
+      add_guard(plan.floors[k], pivot, computed, add_unit({pivot.pivot, elimination.forward[k]}));
     }
     for (const graph::Expr quotient : elimination.quotients) {
       add_unit({quotient});
@@ -221,7 +231,7 @@ class Scheduler {
     for (const std::vector<graph::Expr>& terms : elimination.constraint_terms) {
       add_unit(terms);
     }
-    add(plan.accelerations, Level::State, computed, solve.solve);
+    add(plan.solution, Level::State, computed, solve.solve);
     std::erase_if(solve.solve.units,
                   [](const Unit& unit) { return unit.order.empty() && unit.stores.empty() && unit.guards.empty(); });
     return solve;
@@ -247,8 +257,10 @@ program::Program schedule(const model::System& system, const mechanics::Equation
   Scheduler scheduler(plan.roots(), plan.names, program);
   program.initial = scheduler.kernel(Level::Parameter, plan.initial);
   program.rates = scheduler.rates(plan);
-  for (const IslandPlan& island : plan.islands) {
-    program.island_rows.push_back(scheduler.kernel(Level::State, island.rows));
+  program.position_shifts = scheduler.shifts(plan.position_shifts);
+  program.velocity_shifts = scheduler.shifts(plan.velocity_shifts);
+  for (const std::vector<Wanted>& rows : plan.island_rows) {
+    program.island_rows.push_back(scheduler.kernel(Level::State, rows));
   }
   program.constraint_errors = scheduler.kernel(Level::State, plan.constraint_errors);
   program.energy = scheduler.kernel(Level::State, plan.energy);

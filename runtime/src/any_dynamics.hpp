@@ -20,6 +20,8 @@ class AnyDynamics {
   AnyDynamics(AnyModel& model, const std::vector<Island>& islands, const std::optional<Stabilization>& stabilization)
       : model_(model), correction_(model, islands), stabilization_(stabilization) {}
 
+  const Description& description() const { return model_.description(); }
+  Island island(int index) { return model_.island(index); }
   void set_time(double time) { model_.set_time(time); }
 
   void rates(const State& y, State& rate) {

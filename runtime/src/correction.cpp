@@ -63,7 +63,7 @@ double Correction::fill_residuals(const ErrorTerms& terms, std::size_t island, s
   for (std::size_t i = 0; i < rows.residual.size(); ++i) {
     const std::span<double> row = rows.matrix.subspan(i * columns, columns);
     if (!counts(terms, island, i)) {
-      std::fill(row.begin(), row.end(), 0.0);
+      rows.ignore(i);
     }
     const double off = error(terms, island, i);
     farthest = std::max(farthest, distance(off, row_norm(rows, i)));
@@ -83,10 +83,7 @@ void Correction::solve(std::size_t island, double relative_distance, const std::
       solved.rows.mobility[j] = 0;
     }
   }
-  const IslandRecord kept = *solved.record;
-  solved.record->cutoff = std::clamp(relative_distance, kept.cutoff, std::max(kept.cutoff, largest_cutoff));
-  climb(solved, std::span(added_).first(speeds.size()));
-  *solved.record = kept;
+  climb_off(solved, relative_distance, std::span(added_).first(speeds.size()));
   for (std::size_t j = 0; j < speeds.size(); ++j) {
     step_[static_cast<std::size_t>(speeds[j])] = added_[j];
   }

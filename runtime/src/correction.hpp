@@ -18,6 +18,13 @@ struct ErrorTerms {
 inline constexpr ErrorTerms errors_of_position = {1, 0, 0};  ///< removed by moving coordinates
 inline constexpr ErrorTerms errors_of_velocity = {0, 1, 1};  ///< removed by changing speeds
 
+/// `climb` where the rows are off their constraints.
+///
+/// Note [off the constraints]: at a distance d from the constraints, relative to the state, redundant rows are
+/// independent by about d. The cut-off is raised to d, so that they do not turn into noise divided by noise. Nothing is
+/// left in the record: it tells of accelerations.
+void climb_off(const Island& island, double relative_distance, std::span<double> added);
+
 class Correction {
  public:
   Correction(AnyModel& model, const std::vector<Island>& islands);
@@ -27,8 +34,7 @@ class Correction {
 
   /// The shortest displacement by mass, one number per speed, that the rows at `state` turn into A moved - errors as
   /// far as they can. `moved` may be empty and stand for zero; `held`, if not empty, marks speeds whose displacement is
-  /// zero. Leaves no trace in the islands' records. The cut-off is raised to the relative distance from the
-  /// constraints: off them, redundant rows are independent by about that much.
+  /// zero. Solved by `climb_off`.
   std::span<const double> step(const ErrorTerms& terms, std::span<const double> state,
                                std::span<const double> moved = {}, const std::vector<bool>& held = {});
 

@@ -65,8 +65,8 @@ class Report {
   void headline() {
     const std::string end = outcome_.time == options_.to ? "" : fmt::format(" of {:.9g}", options_.to);
     text_ = fmt::format("{}: {}, {}, {} from t = {} to {:.9g}{} in {}{}\n", model_.model, name(outcome_.status),
-                        options_.method, steps(), options_.from, outcome_.time, end, duration(outcome_.wall_seconds),
-                        outcome_.monitored ? "" : " unobserved");
+                        options_.method + (options_.chosen_by_auto ? " by auto" : ""), steps(), options_.from,
+                        outcome_.time, end, duration(outcome_.wall_seconds), outcome_.monitored ? "" : " unobserved");
   }
 
   /// "1000 steps of 0.005", "80 steps (3 more rejected) to tolerance 1e-09".

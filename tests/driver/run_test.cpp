@@ -74,6 +74,35 @@ integrate { to = 0; step = 1; method = rk4 }
   CHECK(run.final_value("x2") == Approx(1.3).epsilon(1e-14));
 }
 
+TEST_CASE("a model's own code projects as the library does, where rows are redundant too") {
+  const Workshop shop;
+  const std::string model = R"(dimension 2
+gravity (0, -9.81)
+particle 1 { mass = 1; position = (0, 1); velocity = (1, 0) }
+particle 2 { mass = 2; position = (2, 2.5); velocity = (1, 0) }
+particle 3 { mass = 1; position = (5, 0); velocity = (1, 0) }
+constraint crank  : x1^2 + y1^2 = 1
+constraint rod    : (x2 - x1)^2 + (y2 - y1)^2 = 6.25
+constraint rocker : (x2 - 2)^2 + y2^2 = 6.25
+constraint again  : norm((x2 - 2, y2)) = 2.5
+constraint skate  : vx3*sin(t) = vy3*cos(t)
+)";
+  const std::string own = shop.write("own.mbd", model + "integrate { to = 3; tolerance = 1e-7 }\n");
+  const std::string other = shop.write("other.mbd", model + "integrate { to = 3; tolerance = 1e-7; step = 1 }\n");
+  const Run by_model = run_model(own, {"--cxxflags=-O0"});
+  const Run by_library = run_model(other, {"--cxxflags=-O0", "--method", "dop853"});
+  REQUIRE(by_model.exit_code == 0);
+  REQUIRE(by_library.exit_code == 0);
+  CHECK(by_model.summary["projections"] == by_model.summary["steps"]);
+  CHECK(by_model.summary["steps"] == by_library.summary["steps"]);
+  for (const auto& [name, value] : by_library.summary["final"].items()) {
+    // The same steps with other roundings, over a hundred of them.
+    CHECK(by_model.final_value(name) == Approx(value.get<double>()).epsilon(1e-12).margin(1e-12));
+  }
+  CHECK(by_model.constraint_error("rod", "position") < 1e-13);
+  CHECK(by_model.constraint_error("skate", "velocity") < 1e-13);
+}
+
 TEST_CASE("a compiler that fails is a bug in mbcc, and says what it said") {
   const Workshop shop;
   const std::string script = shop.write("broken-c++", "#!/bin/sh\necho out of order\nexit 1\n");

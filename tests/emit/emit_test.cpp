@@ -117,6 +117,16 @@ parameter rate = 1
   CHECK(contains(text, "\"y.x\""));
 }
 
+TEST_CASE("models of runs that project, and no others, have code for it") {
+  const std::string adaptive = emitted(chain(3));
+  CHECK(contains(adaptive, "void project(State& y) {"));
+  CHECK(contains(adaptive, "return mbrt::simulate<mbrt::Dop853>(model, argc, argv);"));
+  const std::string constant = emitted(std::string(chain(3)) + "integrate { to = 1; step = 0.1 }\n");
+  CHECK_FALSE(contains(constant, "shift"));
+  CHECK(contains(constant, "return mbrt::simulate<mbrt::Rk4>(model, argc, argv);"));
+  CHECK_FALSE(contains(emitted(springs(3)), "shift"));
+}
+
 TEST_CASE("a file's name becomes a namespace, whatever it is") {
   CHECK(contains(emitted(springs(1), {}, "class.mbd"), "namespace class_v {"));
   CHECK(contains(emitted(springs(1), {}, "my-model 2.mbd"), "namespace my_model_2 {"));

@@ -1,69 +1,17 @@
 // The published models: those that classical RK4 can integrate reach their trusted end state within the method's error,
 // and show its order; the others are accepted, compile and start.
 
-#include <catch2/catch.hpp>
-#include <map>
-
-#include "support/accuracy.hpp"
-#include "support/run_model.hpp"
+#include "published_model.hpp"
 
 namespace mbcc::test {
 namespace {
-
-const std::filesystem::path folder = std::filesystem::path(MBCC_SOURCE_DIR) / "tests/models";
-
-/// One published model, its trusted end state, and runs of it at several steps.
-class PublishedModel {
- public:
-  explicit PublishedModel(const std::string& name) : path_(folder / (name + ".mbd")) {
-    reference_ = nlohmann::json::parse(read_file(folder / "references.json")).at(name);
-  }
-
-  /// The end state at a step, checked to be at the reference's time.
-  [[nodiscard]] std::map<std::string, double> end(double step) const {
-    const Run run = run_model(path_, {"--step", flag(step), "--every", flag(reference_["time"])});
-    INFO(run.errors);
-    REQUIRE(run.exit_code == 0);
-    REQUIRE(run.table.last("t") == near(reference_["time"], 1e-12));  // n steps round to the end within n ulps
-    std::map<std::string, double> state;
-    for (const auto& [name, unused] : reference_["end"].items()) {
-      state[name] = run.table.last(name);
-    }
-    return state;
-  }
-
-  /// Largest distance from the reference, positions and velocities each in units of their own largest one.
-  [[nodiscard]] double error(const std::map<std::string, double>& state) const {
-    double largest = 0;
-    for (const auto& [name, value] : state) {
-      largest = std::max(largest, std::abs(value - reference_["end"][name].get<double>()) / size(is_velocity(name)));
-    }
-    return largest;
-  }
-
- private:
-  static bool is_velocity(const std::string& name) { return name[name.find('.') + 1] == 'v'; }
-
-  [[nodiscard]] double size(bool velocities) const {
-    double largest = 0;
-    for (const auto& [name, value] : reference_["end"].items()) {
-      if (is_velocity(name) == velocities) {
-        largest = std::max(largest, std::abs(value.get<double>()));
-      }
-    }
-    return largest;
-  }
-
-  std::filesystem::path path_;
-  nlohmann::json reference_;
-};
 
 /// Integrates at `step` and at half of it. Each case's step is chosen so that the leading term of RK4's error stands
 /// clear of the next term above and of rounding below.
 void check_fourth_order(const std::string& name, double step) {
   const PublishedModel model(name);
-  std::map<std::string, double> coarse = model.end(step);
-  std::map<std::string, double> fine = model.end(step / 2);
+  std::map<std::string, double> coarse = model.end({"--step", flag(step)});
+  std::map<std::string, double> fine = model.end({"--step", flag(step / 2)});
   const double error = model.error(fine);
   INFO("error " << model.error(coarse) << ", at half the step " << error);
   CHECK(observed_order(model.error(coarse), error) == near(4, 0.2));
@@ -77,7 +25,7 @@ void check_fourth_order(const std::string& name, double step) {
 }
 
 void check_starts(const std::string& name, double step) {
-  const std::string path = folder / (name + ".mbd");
+  const std::string path = models_folder / (name + ".mbd");
   const Outcome check = run_mbcc({"check", path});
   INFO(check.errors);
   CHECK(check.exit_code == 0);

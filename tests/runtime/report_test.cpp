@@ -79,6 +79,21 @@ TEST_CASE("a report of a run that did not come to its end says where it is") {
         "throw: interrupted, rk4, 1 step of 0.5 from t = 0 to 0.5 of 1e+09 in 2 min 5 s unobserved\n");
 }
 
+TEST_CASE("a report of a method that chooses its steps tells how well they were chosen") {
+  Description model{};
+  model.model = "throw";
+  Options options;
+  options.to = 1;
+  options.method = "dop853";
+  options.chosen_by_auto = true;
+  Outcome outcome;
+  outcome.steps = 80;
+  outcome.rejected = 3;
+  outcome.time = 1;
+  CHECK(report(model, options, outcome) ==
+        "throw: ok, dop853 by auto, 80 steps (3 more rejected) to tolerance 1e-09 from t = 0 to 1 in 0 ms\n");
+}
+
 TEST_CASE("a report of many constraints, islands and events shows the worst, and counts the rest") {
   constexpr int many = 20;
   std::array<std::string, many> names;

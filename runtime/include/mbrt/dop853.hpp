@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "mbrt/adaptive.hpp"
@@ -39,6 +40,7 @@ class Dop853Stepper {
   template <Dynamics M>
   void begin(M& model, const Task& task) {
     tolerance_ = task.tolerance;
+    may_project_ = task.project;
     for (std::size_t j = 0; j < allowed_.size(); ++j) {
       allowed_[j] = task.tolerance * task.scales.of(j);
     }
@@ -46,21 +48,29 @@ class Dop853Stepper {
     choose_first_step(model, task);
   }
 
+  /// Not inlined: compiled once for all observers.
   template <Dynamics M>
-  Attempt attempt(M& model, double time, double to) {
+  [[gnu::noinline]] Attempt attempt(M& model, double time, double to) {
     if (arrived_) {
       leave();
     }
     const double end = landing(time, step_, to);
     const double h = end - time;
-    [&]<std::size_t... S>(std::index_sequence<S...>) { (stage<S + 1>(model, time + dop853::nodes[S + 1] * h, h), ...); }
-    (std::make_index_sequence<dop853::stages - 2>{});
-    stage<dop853::stages - 1>(model, end, h);
+    time_ = time;
+    end_time_ = end;
+    tried_step_ = h;
+    if (projects_stages_) {
+      projected_stages(model);
+    } else {
+      [&]<std::size_t... S>(std::index_sequence<S...>) { (stage<S + 1>(model), ...); }
+      (std::make_index_sequence<dop853::stages - 1>{});
+    }
     advance<dop853::stages>(h);
     const double error = estimate_error(h);
     control(h, error);
-    time_ = time;
-    tried_step_ = h;
+    if constexpr (Projectable<M>) {
+      watch_rank(model);
+    }
     return {end, error};
   }
 
@@ -72,13 +82,13 @@ class Dop853Stepper {
     }
     const double s = (time - time_) / tried_step_;
     const double r = 1 - s;
-    for_each_component(y, [&](std::size_t j) {
+    for (std::size_t j = 0; j < y.size(); ++j) {
       const double difference = end_[j] - begin_[j];
       const double at_begin = tried_step_ * k_[0][j] - difference;
       const double at_end = difference - tried_step_ * k_[dop853::stages][j] - at_begin;
       const double upper = dense_[0][j] + s * (dense_[1][j] + r * (dense_[2][j] + s * dense_[3][j]));
       y[j] = begin_[j] + s * (difference + r * (at_begin + s * (at_end + r * upper)));
-    });
+    }
   }
 
   std::size_t worst_component() const {
@@ -120,16 +130,76 @@ class Dop853Stepper {
   }
 
   template <std::size_t Stage>
+  double time_of() const {
+    return dop853::nodes[Stage] == 1 ? end_time_ : time_ + dop853::nodes[Stage] * tried_step_;
+  }
+
+  template <std::size_t Stage>
   void advance(double h) {
     for_each_component(end_, [&](std::size_t j) { end_[j] = begin_[j] + h * sum<dop853::StageSum<Stage>>(j); });
   }
 
-  template <std::size_t Stage, Dynamics M>
-  void stage(M& model, double time, double h) {
-    advance<Stage>(h);
+  /// For evaluations that are rare: rates() may be code that is large and always inlined.
+  template <Dynamics M>
+  [[gnu::noinline]] void evaluate(M& model, double time, State& rate) {
     model.set_time(time);
+    model.rates(end_, rate);
+    ++evaluations_;
+  }
+
+  template <std::size_t Stage, Dynamics M>
+  void rare_stage(M& model) {
+    for (std::size_t j = 0; j < end_.size(); ++j) {
+      end_[j] = begin_[j] + tried_step_ * sum<dop853::StageSum<Stage>>(j);
+    }
+    const double time = time_of<Stage>();
+    if constexpr (Projectable<M>) {
+      if (projects_stages_) {
+        model.set_time(time);
+        model.project(end_);
+      }
+    }
+    evaluate(model, time, k_[Stage]);
+  }
+
+  template <std::size_t Row>
+  void dense_row() {
+    for (std::size_t j = 0; j < end_.size(); ++j) {
+      dense_[Row][j] = tried_step_ * sum<dop853::DenseSum<Row>>(j);
+    }
+  }
+
+  template <std::size_t Stage, Dynamics M>
+  void stage(M& model) {
+    advance<Stage>(tried_step_);
+    model.set_time(time_of<Stage>());
     model.rates(end_, k_[Stage]);
     ++evaluations_;
+  }
+
+  /// Note [projected stages]: stages are off the constraints, by a low power of the step. Near a singular position, at
+  /// a smallest singular value s of the constraints, that changes the rates by its s-th part or more, so that steps
+  /// would become ever shorter on the way there. The rates at the states projected onto the constraints, f(P(y)), are
+  /// those of the same motion, and remain smooth; a method keeps its order when it takes them for f. A step that was
+  /// rejected while islands were hard to solve is therefore tried again with them.
+  template <Dynamics M>
+  [[gnu::noinline]] void projected_stages(M& model) {
+    [&]<std::size_t... S>(std::index_sequence<S...>) { (rare_stage<S + 1>(model), ...); }
+    (std::make_index_sequence<dop853::stages - 1>{});
+  }
+
+  template <Projectable M>
+  void watch_rank(M& model) {
+    if (arrived_ || !may_project_) {
+      projects_stages_ = false;
+      return;
+    }
+    const long now = climbs(model);
+    if (!projects_stages_ && now != climbs_) {
+      projects_stages_ = true;
+      step_ = tried_step_;
+    }
+    climbs_ = now;
   }
 
   double allowed(std::size_t j) const {
@@ -168,7 +238,7 @@ class Dop853Stepper {
   /// A step at whose end a step of Euler's method, and the change of the rate over it, say that the error of order 8
   /// is about 0.01 (section II.4).
   template <Dynamics M>
-  void choose_first_step(M& model, const Task& task) {
+  [[gnu::noinline]] void choose_first_step(M& model, const Task& task) {
     const auto size = [this](const State& values) {
       double largest = 0;
       for (std::size_t j = 0; j < values.size(); ++j) {
@@ -182,30 +252,29 @@ class Dop853Stepper {
     const double span = task.to - task.from;
     const double first =
         std::min(span, of_state < little || of_rate < little ? 1e-6 * span : 0.01 * of_state / of_rate);
-    for_each_component(end_, [&](std::size_t j) { end_[j] = begin_[j] + first * k_[0][j]; });
-    model.set_time(task.from + first);
-    model.rates(end_, k_[1]);
-    ++evaluations_;
-    for_each_component(end_, [&](std::size_t j) { k_[1][j] -= k_[0][j]; });
+    for (std::size_t j = 0; j < end_.size(); ++j) {
+      end_[j] = begin_[j] + first * k_[0][j];
+    }
+    evaluate(model, task.from + first, k_[1]);
+    for (std::size_t j = 0; j < end_.size(); ++j) {
+      k_[1][j] -= k_[0][j];
+    }
     const double derivative = std::max(of_rate, size(k_[1]) / first);
     const double second = derivative > 0 ? std::pow(0.01 / derivative, 1.0 / 8) : span;
     step_ = std::isfinite(second) ? std::min({100 * first, second, span}) : first;
   }
 
   template <Dynamics M>
-  void prepare_dense(M& model) {
-    State kept = end_;
-    [&]<std::size_t... S>(std::index_sequence<S...>) {
-      (stage<dop853::stages + 1 + S>(model, time_ + dop853::nodes[dop853::stages + 1 + S] * tried_step_, tried_step_),
-       ...);
-    }
-    (std::make_index_sequence<dop853::all_stages - dop853::stages - 1>{});
+  [[gnu::noinline]] void prepare_dense(M& model) {
+    const State kept = end_;
+    rare_stage<dop853::stages + 1>(model);
+    rare_stage<dop853::stages + 2>(model);
+    rare_stage<dop853::stages + 3>(model);
     end_ = kept;
-    [&]<std::size_t... Row>(std::index_sequence<Row...>) {
-      (for_each_component(end_, [&](std::size_t j) { dense_[Row][j] = tried_step_ * sum<dop853::DenseSum<Row>>(j); }),
-       ...);
-    }
-    (std::make_index_sequence<4>{});
+    dense_row<0>();
+    dense_row<1>();
+    dense_row<2>();
+    dense_row<3>();
     dense_is_ready_ = true;
   }
 
@@ -217,10 +286,14 @@ class Dop853Stepper {
   double tolerance_ = 0;
   double step_ = 0;        // next to try
   double time_ = 0;        // where the step begins
+  double end_time_ = 0;    // and ends
   double tried_step_ = 0;  // its length
   double last_error_ = 1e-4;
   bool arrived_ = false;  // the last attempt was accepted
   bool shrunk_ = false;   // and the one before was not
+  bool may_project_ = false;
+  bool projects_stages_ = false;  // Note [projected stages]
+  long climbs_ = 0;               // of the model, when a step was last rejected
   bool dense_is_ready_ = false;
   long evaluations_ = 0;
 };
@@ -228,12 +301,19 @@ class Dop853Stepper {
 /// The method by its name, for `simulate` (simulation.hpp).
 struct Dop853 {
   static constexpr const char* name = "dop853";
+  static constexpr std::size_t most_bytes_on_stack = std::size_t{1} << 18;
 
   /// Moves `state` as `task` says.
   template <Dynamics M, class Observer>
   static Course run(M& model, typename M::State& state, const Task& task, Observer& observer) {
-    Dop853Stepper<typename M::State> stepper(state);
-    return run_adaptively(model, state, task, stepper, observer);
+    using Steps = Dop853Stepper<typename M::State>;
+    if constexpr (sizeof(Steps) > most_bytes_on_stack) {
+      const auto steps = std::make_unique<Steps>(state);
+      return run_adaptively(model, state, task, *steps, observer);
+    } else {
+      Steps steps(state);
+      return run_adaptively(model, state, task, steps, observer);
+    }
   }
 };
 

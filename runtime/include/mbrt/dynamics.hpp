@@ -18,11 +18,25 @@ concept Dynamics = requires(M& model, const typename M::State& state, typename M
   model.rates(state, rate);
 };
 
-/// Dynamics that can be moved onto the constraints of its motion, at the time set.
+/// Dynamics that can be moved onto the constraints of its motion, at the time set, and whose islands tell how hard they
+/// were to solve.
 template <class M>
 concept Projectable = Dynamics<M> && requires(M& model, typename M::State& state) {
   model.project(state);
+  model.island(0).record->pinv + model.island(0).record->refined;
+  model.description().islands.size();
 };
+
+/// How often islands were not solved the plain way so far: Note [rank ladder] in island.hpp.
+template <Projectable M>
+long climbs(M& model) {
+  long sum = 0;
+  for (std::size_t k = 0; k < model.description().islands.size(); ++k) {
+    const auto& record = *model.island(static_cast<int>(k)).record;
+    sum += record.refined + record.pinv;
+  }
+  return sum;
+}
 
 /// Sees each state that a method accepts, the start included. `arriving` is called before the rate there is evaluated,
 /// `accepted` after it, with the model's time set to `time`; it may set another, and false ends the run. Methods with

@@ -13,6 +13,7 @@
 // Steps 2 and 3 are `climb`, in the library. Rows are scaled by their size at the start, not at the state: a row that
 // vanishes on the way must be seen to vanish, and a factor on a row must not matter.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -44,10 +45,12 @@ struct IslandRows {
   std::span<double> position;
   std::span<double> velocity;
 
-  void clear() const {
-    for (double& entry : matrix) {
-      entry = 0;
-    }
+  void clear() const { std::fill(matrix.begin(), matrix.end(), 0.0); }
+  /// Makes one row bind nothing.
+  void ignore(std::size_t row) const {
+    const std::span<double> entries = matrix.subspan(row * mobility.size(), mobility.size());
+    std::fill(entries.begin(), entries.end(), 0.0);
+    position[row] = velocity[row] = residual[row] = 0;
   }
 };
 
@@ -83,7 +86,9 @@ class IslandStorage {
  public:
   IslandStorage() { record_.smallest_rank = record_.rank = static_cast<int>(Rows); }
 
-  Island view() { return {scale_, floor_, scratch_, {matrix_, residual_, free_, mobility_, position_, velocity_}, &record_}; }
+  Island view() {
+    return {scale_, floor_, scratch_, {matrix_, residual_, free_, mobility_, position_, velocity_}, &record_};
+  }
   double floor(std::size_t row) const { return floor_[row]; }
   static constexpr bool holds(double pivot, double diagonal, double floor) {
     return mbrt::holds(pivot, diagonal, floor, Rows);
@@ -105,6 +110,14 @@ class IslandStorage {
 /// Steps 2 and 3 of Note [rank ladder]: `added[j]` becomes c_j, the acceleration that the constraints add to `free[j]`.
 /// Reads and overwrites island.rows.
 void climb(const Island& island, std::span<double> added);
+
+/// Largest absolute value, at least 1: what distances in coordinates or in speeds are compared to.
+double extent(std::span<const double> values);
+
+/// `added` becomes the shortest displacement by mass that removes `errors` (island.rows.position or .velocity) from the
+/// rows, as far as they can: Note [off the constraints] in src/correction.hpp. `size` is the extent of what is
+/// displaced. Overwrites island.rows, and leaves no trace in the record.
+void correct(const Island& island, std::span<const double> errors, double size, std::span<double> added);
 
 /// Takes row scales and pivot floors from island.rows, the rows at the start. Returns the number of rows that vanish
 /// there: rows that are zero, not finite or, where an earlier call has left a scale, smaller by vanishing_ratio than
