@@ -1,7 +1,6 @@
 #include "dialog/check.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "dialog/item.hpp"
@@ -15,8 +14,8 @@ namespace {
 constexpr std::size_t name_length = 7;     // dialog A of the paper
 constexpr std::size_t most_asked = 10000;  // more than anybody types; the whole draft is examined with each answer
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 class Checker {
  public:
@@ -55,18 +54,19 @@ class Checker {
       return verdict();  // that of the model that the dialog started from
     }
     const auto wrong = std::find_if(typed_.begin(), typed_.end(), [](char c) { return !is_letter(c) && !is_digit(c); });
+    const std::string name = typed_.substr(0, name_length);
     if (!is_letter(typed_.front())) {
       found_.report(Finding::AnswerNoName, Span{0, 0, 1});
     } else if (wrong != typed_.end()) {
       const auto place = static_cast<std::uint32_t>(wrong - typed_.begin());
       found_.report(Finding::AnswerNoName, Span{0, place, place + 1});
     } else {
-      parse_alone("system ");
+      parse_alone("system ", name);
     }
     Verdict verdict = this->verdict();
-    if (verdict.accepted && typed_.size() > name_length) {
-      verdict.text.resize(name_length);
-      verdict.message = fmt::format("only the first {} characters count: {}\n", name_length, verdict.text);
+    if (verdict.accepted && name != typed_) {
+      verdict.text = name;
+      verdict.message = fmt::format("only the first {} characters count: {}\n", name_length, name);
     }
     return verdict;
   }
@@ -92,26 +92,27 @@ class Checker {
   }
 
   void check_expression(std::string_view begin) {
-    parse_alone(begin);
+    parse_alone(begin, typed_);
     if (!found_.has_errors()) {
       check_in_model();
     }
   }
 
   /// The answer as all that stands between `begin` and the next statement: nothing in it may end that earlier.
-  void parse_alone(std::string_view begin) {
+  void parse_alone(std::string_view begin, const std::string& answer) {
     Sources sources;
     Diagnostics diagnostics;
     const auto shift = static_cast<std::uint32_t>(begin.size());
-    sources.add("", fmt::format("{}{}\nlet next = 0\n", begin, typed_));
+    sources.add("", fmt::format("{}{}\nlet next = 0\n", begin, answer));
     const ast::ModelFile file = parse(lex(sources, 0, diagnostics), diagnostics);
-    take(diagnostics, {0, shift, shift + everything().end});
+    const auto size = static_cast<std::uint32_t>(answer.size());
+    take(diagnostics, {0, shift, shift + size});
     if (found_.has_errors()) {
       return;
     }
     const std::uint32_t end = file.statements.front().span.end - shift;
-    if (end < everything().end) {
-      found_.report(Finding::AnswerEnds, Span{0, end, everything().end});
+    if (end < size) {
+      found_.report(Finding::AnswerEnds, Span{0, end, size});
     }
   }
 

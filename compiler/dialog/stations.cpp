@@ -211,7 +211,9 @@ std::string Session::close(const std::string& text) {
   } else if (text == "run") {
     exit_code_ = workshop_.run(draft_.path);
   } else if (text == "plot") {
-    exit_code_ = workshop_.plot(draft_.path, beside(draft_.path, draft_.name + ".svg"));
+    const std::string figure = beside(draft_.path, draft_.name + ".svg");
+    exit_code_ = workshop_.plot(draft_.path, figure);
+    return exit_code_ == 0 ? fmt::format("drew `{}`\n", figure) : "";
   } else {
     return "answer check, run or plot, or ENTER to end\n";
   }

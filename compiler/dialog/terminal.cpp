@@ -2,6 +2,7 @@
 
 #include <histedit.h>
 
+#include <clocale>
 #include <csignal>
 #include <cstdio>
 
@@ -32,6 +33,7 @@ void Terminal::Close::operator()(History* past) const { history_end(past); }
 
 Terminal::Terminal() : past_(history_init()), editor_(el_init("mbcc", stdin, stdout, stderr)) {
   MBCC_ASSERT(past_ && editor_);
+  std::setlocale(LC_CTYPE, "");  // libedit drops what is no character of the locale
   constexpr int history_length = 1000;
   HistEvent event;
   history(past_.get(), &event, H_SETSIZE, history_length);

@@ -31,14 +31,15 @@ std::vector<dialog::Moved> nearest_start(const std::string& path, const std::str
   if (!compilation.program) {
     return {};
   }
-  InterpretedModel model(*compilation.program, *compilation.system, compilation.sources);
+  const model::System& system = *compilation.system;
+  InterpretedModel model(*compilation.program, system, compilation.sources);
+  model.prepare();
   const std::vector<double> from = model.initial_state();
-  const std::vector<double> to = mbrt::nearest_start(model, compilation.system->integration.from.value_or(0));
+  const std::vector<double> to = mbrt::nearest_start(model, system.integration.from.value_or(0));
   std::vector<dialog::Moved> start;
+  const std::size_t coordinates = system.coordinates.size();
   for (std::size_t i = 0; i < to.size(); ++i) {
-    const std::size_t coordinates = compilation.system->coordinates.size();
-    const std::string& name =
-        i < coordinates ? compilation.system->coordinates[i].name : compilation.system->speeds[i - coordinates].name;
+    const std::string& name = i < coordinates ? system.coordinates[i].name : system.speeds[i - coordinates].name;
     start.push_back({name, from[i], to[i]});
   }
   return start;

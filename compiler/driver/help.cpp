@@ -104,23 +104,24 @@ of short ones are joined by monotone splines, which go through every row and nev
 
 constexpr std::string_view dialog = R"(Asking for a model: mbcc dialog [MODEL.mbd] [-o OUT.mbd] [--force]
 
-  A  name                              a letter, then letters and digits; the first 7 count
-  B  dimension                         1, 2 or 3
-  C  number of particles
-  D  number of constraint equations    0 for none
-  E  masses                            m1, m2, ...
-  F  components of forces              fx1, fy1, ...; expressions of t, x1, vx1, ...
-  G  constraint equations              g1, g2, ...; x1^2 + y1^2 = 1, or what is to be zero
-  H  coordinates and velocities        at the start; numbers such as 2 or sqrt(2)/2
-  I  step, initial and final time
+  A name                               a letter, then letters and digits; the first 7 count
+  B dimension                          1, 2 or 3
+  C particles                          how many
+  D constraints                        how many equations, 0 for none
+  E m1, m2, ...                        masses
+  F fx1, fy1, ...                      components of forces: expressions of t, x1, vx1, ...
+  G g1, g2, ...                        equations such as x1^2 + y1^2 = 1, or what is to be zero
+  H x1, vx1, ...                       coordinates and velocities at the start: numbers such as 2 or sqrt(2)/2
+  I step, initial and final time       numbers
 
 ENTER takes what stands in the line, `?` explains the question, `back` returns to the dialog before. After A, E, F and G
 Y or ENTER goes on, anything else asks that dialog again with its answers in the lines. A wrong answer is explained and
 asked for again. A start off the constraints is reported, and the nearest one on them offered.
 
-The model goes to NAME.mbd, the program to cNAME.cpp. A dialog that is left is kept in NAME.mbd.draft; the next one of
-that name goes on with it. From MODEL.mbd the dialog changes what is answered otherwise, and leaves all else as it is.
-Answers may come from a script, one a line; it must say --force to replace files.
+The model goes to NAME.mbd, the program to cNAME.cpp; then `check`, `run` and `plot` show what they are. A dialog that is
+left is kept in NAME.mbd.draft; the next one of that name goes on with it. From MODEL.mbd the dialog changes what is
+answered otherwise, and leaves all else as it is. Answers may come from a script, one a line; it must say --force to
+replace files.
 )";
 
 constexpr std::string_view exit_codes = R"(Exit codes
