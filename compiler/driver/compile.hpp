@@ -22,7 +22,7 @@ enum class Stage { Tokens, Syntax, System, Equations, Derivatives, Program };
 struct CompileOptions {
   bool strict = false;  ///< forces and constraints in the paper's grammar
   Stage until = Stage::Program;
-  bool assembles = false;  ///< the start will be moved onto the constraints: it need not satisfy them
+  bool assembles = false;   ///< the start will be moved onto the constraints: it need not satisfy them
   std::string method = {};  ///< instead of the one that the model's `integrate` names, if not empty
 };
 
