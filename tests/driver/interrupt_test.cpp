@@ -52,18 +52,26 @@ TEST_CASE("Ctrl-C while the program is built leaves nothing behind") {
 TEST_CASE("Ctrl-C while the model runs, built or interpreted, ends the run as the program would end it") {
   const Workshop shop;
   const std::string model = shop.write("endless.mbd", endless);
-  for (const char* compiler : {"c++", "/nonexistent/c++"}) {
-    const Variable cxx("CXX", compiler);
-    INFO(compiler);
-    Terminal terminal(MBCC_BINARY,
-                      {"run", model, "--cxxflags=-O0", "--progress", "--summary", shop.path("summary.json")});
+  const std::string figure = shop.path("figure.gp");
+  struct Way {
+    const char* compiler;
+    std::vector<std::string> flags;
+  };
+  for (const Way& way : {Way{"c++", {}}, Way{"c++", {"--plot", figure, "--every", "1"}}, Way{"/nonexistent/c++", {}}}) {
+    const Variable cxx("CXX", way.compiler);
+    INFO(way.compiler << ' ' << way.flags.size());
+    std::vector<std::string> arguments = {"run",        model,       "--cxxflags=-O0",
+                                          "--progress", "--summary", shop.path("summary.json")};
+    arguments.insert(arguments.end(), way.flags.begin(), way.flags.end());
+    Terminal terminal(MBCC_BINARY, arguments);
     REQUIRE(terminal.wait_for("%, t = "));
     terminal.type(ctrl_c);
     CHECK(terminal.finish() == 130);
     CHECK(nlohmann::json::parse(shop.read("summary.json"))["status"] == "interrupted");
     CHECK(terminal.seen().find("endless: interrupted, rk4, ") != std::string::npos);
-    CHECK(terminal.seen().find("error") == std::string::npos);
+    CHECK(terminal.seen().find("error:") == std::string::npos);
   }
+  CHECK(shop.has("figure.gp"));  // of what was recorded until then
 }
 
 }  // namespace mbcc::test
