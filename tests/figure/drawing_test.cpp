@@ -3,6 +3,7 @@
 #include "figure/drawing.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "figure/layout.hpp"
 #include "results.hpp"
@@ -12,6 +13,9 @@ namespace {
 
 using namespace figure;
 using Curves = std::vector<std::vector<double>>;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Axis values_axis(const Curves& curves, double extent = 0) { return axis_of(curves, Measure::Value, extent); }
 
@@ -33,13 +37,13 @@ const Figure lone{"particle 1", {{"coordinates", Measure::Value, {{"x1", {"x1"}}
 }  // namespace
 
 TEST_CASE("an axis has room for its curves") {
-  CHECK(ends(values_axis({{0, 1}, {NAN, -1, INFINITY}})) == "-1.12 1.12");
+  CHECK(ends(values_axis({{0, 1}, {not_a_number, -1, infinity}})) == "-1.12 1.12");
   CHECK(ends(axis_of(Curves{{0, 1e-15}}, Measure::Change, 1)) == "-6e-17 1.06e-15");
 }
 
 TEST_CASE("what does not move is a level line") {
   CHECK(ends(values_axis({{0, 0}})) == "-1 1");
-  CHECK(ends(values_axis({{NAN}})) == "-1 1");
+  CHECK(ends(values_axis({{not_a_number}})) == "-1 1");
   CHECK(ends(values_axis({{4}})) == "2 6");
   CHECK(ends(values_axis({{-4, -4.000001}})) == "-6 -2");
   CHECK(ends(values_axis({{1e-14, -1e-14}}, 1)) == "-1 1");
