@@ -162,7 +162,7 @@ class BoundModel final : public AnyModel {
     State y = state_;
     take(state, y);
     Course course;
-    ((method == Methods::name && (course = Methods::run(model_, y, task, observer), true)) || ...);
+    static_cast<void>(((method == Methods::name && (course = Methods::run(model_, y, task, observer), true)) || ...));
     give(y, state);
     return course;
   }
