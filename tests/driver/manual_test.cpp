@@ -17,7 +17,7 @@ TEST_CASE("the manual page begins as pages do, and has what help says, ready for
            ".TP\n\\fB\\-\\-library\\fR\nthe class alone: no main, no allocation, no streams\n",
            ".SH MODELS\n.PP\n.nf\nA model in one page\n\n  system pendulum  ",
            ".PP\n\\fBln\\fR is natural, \\fBlog\\fR is base 10. \\fBif(a < b, x, y)\\fR takes a comparison.",
-           ".TP\n\\fBA\\fR\nname:\na letter, then letters and digits; the first 7 count\n",
+           ".TP\n\\fBA name\\fR\na letter, then letters and digits; the first 7 count\n",
            ".SH EXIT STATUS\n.PP\nExit codes\n.TP\n\\fB0\\fR\nfine, warnings included\n",
        }) {
     INFO(part);
