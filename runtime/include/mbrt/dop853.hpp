@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <utility>
+#include <vector>
 
 #include "mbrt/adaptive.hpp"
 #include "mbrt/dop853_coefficients.hpp"
@@ -139,10 +139,15 @@ class Dop853Stepper {
     for_each_component(end_, [&](std::size_t j) { end_[j] = begin_[j] + h * sum<dop853::StageSum<Stage>>(j); });
   }
 
-  /// For evaluations that are rare: rates() may be code that is large and always inlined.
+  /// For evaluations that are rare: rates() and project() may be code that is large and inlined.
   template <Dynamics M>
   [[gnu::noinline]] void evaluate(M& model, double time, State& rate) {
     model.set_time(time);
+    if constexpr (Projectable<M>) {
+      if (projects_stages_) {
+        model.project(end_);
+      }
+    }
     model.rates(end_, rate);
     ++evaluations_;
   }
@@ -152,14 +157,7 @@ class Dop853Stepper {
     for (std::size_t j = 0; j < end_.size(); ++j) {
       end_[j] = begin_[j] + tried_step_ * sum<dop853::StageSum<Stage>>(j);
     }
-    const double time = time_of<Stage>();
-    if constexpr (Projectable<M>) {
-      if (projects_stages_) {
-        model.set_time(time);
-        model.project(end_);
-      }
-    }
-    evaluate(model, time, k_[Stage]);
+    evaluate(model, time_of<Stage>(), k_[Stage]);
   }
 
   template <std::size_t Row>
@@ -308,8 +306,9 @@ struct Dop853 {
   static Course run(M& model, typename M::State& state, const Task& task, Observer& observer) {
     using Steps = Dop853Stepper<typename M::State>;
     if constexpr (sizeof(Steps) > most_bytes_on_stack) {
-      const auto steps = std::make_unique<Steps>(state);
-      return run_adaptively(model, state, task, *steps, observer);
+      std::vector<Steps> steps;
+      steps.emplace_back(state);
+      return run_adaptively(model, state, task, steps.front(), observer);
     } else {
       Steps steps(state);
       return run_adaptively(model, state, task, steps, observer);
