@@ -22,10 +22,17 @@ int main(int argc, char** argv) {
   constexpr struct {
     std::string_view name;
     int (*run)(int, char**);
-  } scenes[] = {{"pendulum", run<Pendulum>},   {"paper", run<Paper>},         {"throw", run<Throw>},
-                {"edge", run<Edge>},           {"cliff", run<Cliff>},         {"contradiction", run<Contradiction>},
-                {"redundant", run<Redundant>}, {"vanishing", run<Vanishing>}, {"opening", run<Opening>},
-                {"loose", run<Loose>}};
+  } scenes[] = {{"pendulum", run<Pendulum>},
+                {"paper", run<Paper>},
+                {"throw", run<Throw>},
+                {"edge", run<Edge>},
+                {"cliff", run<Cliff>},
+                {"contradiction", run<Contradiction>},
+                {"redundant", run<Redundant>},
+                {"vanishing", run<Vanishing>},
+                {"opening", run<Opening>},
+                {"loose", run<Loose>},
+                {"pole", run<Pole>}};
   for (const auto& scene : scenes) {
     if (argc > 1 && scene.name == argv[1]) {
       return scene.run(argc - 1, argv + 1);

@@ -205,7 +205,28 @@ struct Edge : PlainScene {
   }
 };
 
-/// The same through a constraint: y = sqrt(1 - x) has no derivatives from x = 1 on.
+/// x = t, and y = 1/(1 - t) by the force 2/(1 - x)^3: beyond every bound before t = 1.
+struct Pole : PlainScene {
+  static constexpr std::size_t size = 2, constraints = 0;
+
+  static const Description& description() {
+    static const Description result = describe("pole", size, {}, {}, {0, 2, not_given, not_given, not_given, nullptr});
+    return result;
+  }
+
+  static std::array<double, 4> start() { return {0, 1, 1, 1}; }
+  template <class State>
+  void free(double, const State& y, std::array<double, size>& a) const {
+    const double gap = 1 - y[0];
+    a = {0, 2 / (gap * gap * gap)};
+  }
+  template <class State>
+  ConstraintValue<size> constraint(int, double, const State&) const {
+    return {};
+  }
+};
+
+/// The edge through a constraint: y = sqrt(1 - x) has no derivatives from x = 1 on.
 struct Cliff : PlainScene {
   static constexpr std::size_t size = 2, constraints = 1;
 
