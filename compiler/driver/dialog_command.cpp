@@ -58,11 +58,14 @@ std::string newest_draft() {
   std::string name;
   fs::file_time_type newest;
   std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(".", failure)) {
-    const fs::path model = entry.path().stem();  // of NAME.mbd.draft
-    const fs::file_time_type time = entry.last_write_time(failure);
-    const bool is_draft = entry.path().extension() == ".draft" && model.extension() == ".mbd";
-    if (is_draft && !failure && (name.empty() || time > newest)) {
+  for (fs::directory_iterator entry(".", failure), end; entry != end && !failure; entry.increment(failure)) {
+    const fs::path model = entry->path().stem();  // of NAME.mbd.draft
+    if (entry->path().extension() != ".draft" || model.extension() != ".mbd") {
+      continue;
+    }
+    std::error_code gone;
+    const fs::file_time_type time = entry->last_write_time(gone);
+    if (!gone && (name.empty() || time > newest)) {
       name = model.stem().string();
       newest = time;
     }
