@@ -66,6 +66,10 @@ class Printer {
         return fmt::format("{}", node.value);
       case graph::Kind::Apply:
         return fmt::format("%{}", id);
+#define MBCC_SERIES_LEAF(name, meaning) \
+  case graph::Kind::name:               \
+    return fmt::format("{}[{}]", #name, node.index);
+#include "graph/series_leaves.def"
       default:
         return leaf_name_(node);
     }
@@ -91,6 +95,12 @@ std::string print(const program::Program& program, const model::System& system) 
   }
   for (std::size_t i = 0; i < program.island_rows.size(); ++i) {
     printer.kernel(fmt::format("rows of island {}", i + 1), program.island_rows[i]);
+  }
+  if (program.series) {
+    printer.kernel("series, start", program.series->start);
+    printer.kernel("series, fast lanes of an order", program.series->fast);
+    printer.kernel("series, slow lanes of an order", program.series->slow);
+    printer.kernel("series, solve of an order", program.series->solve);
   }
   printer.kernel("constraint_errors", program.constraint_errors);
   printer.kernel("energy", program.energy);

@@ -60,7 +60,7 @@ class TaylorStepper {
   Attempt attempt(M& model, double time, double to) {
     if (!falls_back_ || arrived_) {
       leave();
-      falls_back_ = !expand(model, time);
+      falls_back_ = !expand(model, time, to);
       if (falls_back_) {
         begin_fallback(model, time, to);
       }
@@ -91,14 +91,15 @@ class TaylorStepper {
     arrived_ = false;
   }
 
-  bool expand(M& model, double time) {
+  bool expand(M& model, double time, double to) {
     ++expansions_;
     if (!model.expand(begin_, order_, series_[0])) {
       return false;
     }
     coefficients_ = coefficients_of(series_[0]);
-    step_ = std::exp2(std::min(log_length_for(order_ - 1), log_length_for(order_)));
-    return end_before_switches(time) && time + 0.5 * step_ > time;  // not so where a coefficient is not finite
+    // A polynomial of low degree allows any step.
+    step_ = min(std::exp2(min(log_length_for(order_ - 1), log_length_for(order_))), to - time);
+    return end_before_switches(time) && time + 0.5 * step_ > time;  // not so where the step is 0 or NaN
   }
 
   /// Shortens the step to end just behind the first switch. False for a start on one, which is on neither side.
@@ -153,7 +154,7 @@ class TaylorStepper {
     return series.coefficients();
   }
 
-  /// The binary logarithm of the step at which the term of one order is as large as is allowed; not finite or -infinity
+  /// The binary logarithm of the step at which the term of one order is as large as is allowed; NaN or -infinity
   /// where the term is not finite.
   double log_length_for(std::size_t order) const {
     const double* const terms = coefficients_.state.row(order);
