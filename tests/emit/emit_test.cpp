@@ -46,13 +46,36 @@ TEST_CASE("emitted text depends on the model and the options alone") {
 TEST_CASE("the header names the options") {
   for (const bool library : {false, true}) {
     for (const bool strict : {false, true}) {
-      const auto options = options_of(emitted(springs(1), {library, strict}));
-      REQUIRE(options);
-      CHECK(options->library == library);
-      CHECK(options->strict == strict);
+      for (const std::string method : {"", "taylor"}) {
+        const auto options = options_of(emitted(springs(1), {library, strict, method}));
+        REQUIRE(options);
+        CHECK(options->library == library);
+        CHECK(options->strict == strict);
+        CHECK(options->method == method);
+      }
     }
   }
   CHECK_FALSE(options_of("int main() {}\n"));
+}
+
+TEST_CASE("a program has Taylor series where its model names a method that takes them, and nothing of them elsewhere") {
+  const auto with_method = [](const std::string& method) {
+    return springs(3) + "integrate { from = 0; to = 1; step = 0.1; method = " + method + " }\n";
+  };
+  for (const bool library : {false, true}) {
+    for (const std::string method : {"taylor", "auto"}) {
+      const std::string text = emitted(with_method(method), {library, false});
+      CHECK(contains(text, "using Series = mbrt::Series<"));
+      CHECK(contains(text, "bool expand(const State& y, std::size_t order, Series& s)"));
+    }
+    for (const std::string method : {"rk4", "dop853"}) {
+      const std::string text = emitted(with_method(method), {library, false});
+      CHECK_FALSE(contains(text, "eries"));
+      CHECK_FALSE(contains(text, "expand"));
+    }
+  }
+  CHECK(contains(emitted(with_method("taylor")), "mbrt::simulate<mbrt::Taylor>(model, argc, argv)"));
+  CHECK(contains(emitted(with_method("auto")), "mbrt::simulate<mbrt::Dop853, mbrt::Taylor>(model, argc, argv)"));
 }
 
 TEST_CASE("a scene without constraints has no solver in its text") {
