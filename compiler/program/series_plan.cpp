@@ -144,13 +144,9 @@ class SeriesPlanner {
       }
       return;
     }
-    for (std::size_t k = 0; k < island.rows.size(); ++k) {
+    for (std::size_t k = island.rows.size(); k-- > 0;) {  // as they become known: the last ones wait for nothing else
       multipliers_.emplace(island.rows[k], elimination.multipliers[k]);
-    }
-    for (const auto& [constraint, multiplier] : multipliers_) {
-      if (std::find(island.rows.begin(), island.rows.end(), constraint) != island.rows.end()) {
-        add_newest_reactions(derivatives_.rows[constraint], multiplier);
-      }
+      add_newest_reactions(derivatives_.rows[island.rows[k]], elimination.multipliers[k]);
     }
   }
 
@@ -160,6 +156,15 @@ class SeriesPlanner {
       Expr& acceleration = accelerations_[entry.speed];
       acceleration = acceleration + derivatives_.mobility[entry.speed] * factor * (rest * multiplier);
     }
+  }
+
+  /// q_(k+2) of a coordinate with this rate. Where that is a speed, both divisions are one multiplication: the next
+  /// pass waits for the result.
+  Expr late_coordinate(Expr rate, Expansion& closing) {
+    const Node node = rate.node();
+    return node.kind == Kind::Speed
+               ? (leaf(Kind::InverseOrder, 1) * leaf(Kind::InverseOrder, 2)) * accelerations_[node.index]
+               : leaf(Kind::InverseOrder, 2) * closing.coefficient(rate);
   }
 
   void advance_state() {
@@ -173,8 +178,8 @@ class SeriesPlanner {
         graph_, lanes_, Pace::Slow, 1,
         leaves(of_state(Kind::StateNext), leaf(Kind::Impulse, 1), [&speeds](std::uint32_t j) { return speeds[j]; }));
     for (std::size_t i = 0; i < coordinates; ++i) {
-      const Expr rate = closing.coefficient(equations_.kinematics[i]);
-      plan_.solve.push_back({Target::CoordinateLate, i, leaf(Kind::InverseOrder, 2) * rate, speeds.size() + i});
+      plan_.solve.push_back(
+          {Target::CoordinateLate, i, late_coordinate(equations_.kinematics[i], closing), speeds.size() + i});
       plan_.start.push_back({Target::CoordinateFirst, i, equations_.kinematics[i], speeds.size() + i});
     }
   }

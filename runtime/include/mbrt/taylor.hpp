@@ -93,6 +93,7 @@ class TaylorStepper {
 
   bool expand(M& model, double time, double to) {
     ++expansions_;
+    model.set_time(time);  // an observer may have set another
     if (!model.expand(begin_, order_, series_[0])) {
       return false;
     }
