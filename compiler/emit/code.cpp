@@ -67,4 +67,15 @@ Code compose(Operator op, const std::vector<Code>& operands) {
   }
 }
 
+std::string affine(long first, long stride, const std::string& i) {
+  if (stride == 0) {
+    return std::to_string(first);
+  }
+  const std::string steps = std::abs(stride) == 1 ? i : fmt::format("{} * {}", std::abs(stride), i);
+  if (stride < 0) {
+    return fmt::format("{} - {}", first, steps);
+  }
+  return first == 0 ? steps : fmt::format("{} + {}", steps, first);
+}
+
 }  // namespace mbcc::cpp

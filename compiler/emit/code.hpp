@@ -22,4 +22,7 @@ Code literal(double value);
 /// `op` applied to code of its operands.
 Code compose(graph::Operator op, const std::vector<Code>& operands);
 
+/// `first + stride * i` without what is nothing: "4", "i", "3 * i + 4", "98 - 2 * i".
+std::string affine(long first, long stride, const std::string& i);
+
 }  // namespace mbcc::cpp

@@ -85,34 +85,10 @@ class KernelWriter {
 
  private:
   void roll_sections() {
-    const std::set<NodeId> shared = read_beyond_their_section();
+    const std::set<NodeId> shared = program::read_beyond_their_section(sections_, kernel_.provides, graph_);
     for (const Section* section : sections_) {
       rolled_.push_back(program::roll(*section, graph_, shared));
     }
-  }
-
-  /// Values that a section computes and another one reads, or a later kernel.
-  std::set<NodeId> read_beyond_their_section() const {
-    std::unordered_map<NodeId, const Section*> made_in;
-    for (const Section* section : sections_) {
-      for (const Unit& unit : section->units) {
-        for (const NodeId id : unit.order) {
-          made_in.emplace(id, section);
-        }
-      }
-    }
-    std::set<NodeId> shared(kernel_.provides.begin(), kernel_.provides.end());
-    for (const Section* section : sections_) {
-      for (const Unit& unit : section->units) {
-        program::for_each_read(unit, graph_, [&](NodeId id) {
-          const auto made = made_in.find(id);
-          if (made != made_in.end() && made->second != section) {
-            shared.insert(id);
-          }
-        });
-      }
-    }
-    return shared;
   }
 
   /// Counts what is written out: of a loop that is its first iteration.
@@ -504,17 +480,6 @@ class KernelWriter {
 };
 
 }  // namespace
-
-std::string affine(long first, long stride, const std::string& i) {
-  if (stride == 0) {
-    return std::to_string(first);
-  }
-  const std::string steps = std::abs(stride) == 1 ? i : fmt::format("{} * {}", std::abs(stride), i);
-  if (stride < 0) {
-    return fmt::format("{} - {}", first, steps);
-  }
-  return first == 0 ? steps : fmt::format("{} + {}", steps, first);
-}
 
 Opening write_opening(const Kernel& kernel, const Program& program, const Naming& naming) {
   KernelWriter writer(kernel, program, naming);

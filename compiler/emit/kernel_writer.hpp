@@ -34,7 +34,4 @@ struct Opening {
 };
 Opening write_opening(const program::Kernel& kernel, const program::Program& program, const Naming& naming);
 
-/// `first + stride * i` without what is nothing: "4", "i", "3 * i + 4", "98 - 2 * i".
-std::string affine(long first, long stride, const std::string& i);
-
 }  // namespace mbcc::cpp

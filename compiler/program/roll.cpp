@@ -227,6 +227,30 @@ std::optional<NodeId> find_producer(const std::pair<const NodeId, Element>& elem
 
 }  // namespace
 
+std::set<NodeId> read_beyond_their_section(const std::vector<const Section*>& sections,
+                                           const std::vector<NodeId>& provided, const Graph& graph) {
+  std::unordered_map<NodeId, const Section*> made_in;
+  for (const Section* section : sections) {
+    for (const Unit& unit : section->units) {
+      for (const NodeId id : unit.order) {
+        made_in.emplace(id, section);
+      }
+    }
+  }
+  std::set<NodeId> shared(provided.begin(), provided.end());
+  for (const Section* section : sections) {
+    for (const Unit& unit : section->units) {
+      for_each_read(unit, graph, [&](NodeId id) {
+        const auto made = made_in.find(id);
+        if (made != made_in.end() && made->second != section) {
+          shared.insert(id);
+        }
+      });
+    }
+  }
+  return shared;
+}
+
 RolledSection roll(const Section& section, const Graph& graph, const std::set<NodeId>& used_elsewhere) {
   RolledSection rolled;
   if (section.units.size() < shortest_run) {

@@ -39,6 +39,11 @@ struct RolledSection {
   std::vector<long> array_sizes;                 ///< 0 where no loop needs the array
 };
 
+/// Values that one of a kernel's sections computes and another one reads, or a later kernel, to which they are
+/// provided.
+std::set<NodeId> read_beyond_their_section(const std::vector<const Section*>& sections,
+                                           const std::vector<NodeId>& provided, const graph::Graph& graph);
+
 /// `used_elsewhere` are the values that other sections read.
 RolledSection roll(const Section& section, const graph::Graph& graph, const std::set<NodeId>& used_elsewhere);
 

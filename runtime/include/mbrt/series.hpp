@@ -98,48 +98,37 @@ template <std::size_t Stride, std::size_t... V>
 template <std::size_t Lanes>
 using Rows = std::array<std::array<double, lanes::padded(Lanes)>, largest_order + 3>;
 
+/// Calls `chunk(first lane, number of vectors as a type)` for all lanes, at most lanes::at_once vectors at a time.
+template <std::size_t Lanes, class Chunk>
+[[gnu::always_inline]] inline void by_chunks(const Chunk& chunk) {
+  constexpr std::size_t total = lanes::vectors(Lanes), full = total / lanes::at_once * lanes::at_once;
+  for (std::size_t v = 0; v < full; v += lanes::at_once) {
+    chunk(v * lanes::width, std::make_index_sequence<lanes::at_once>{});
+  }
+  if constexpr (full < total) {
+    chunk(full * lanes::width, std::make_index_sequence<total - full>{});
+  }
+}
+
 /// sums[i] = sum of left_j[i] right_(m-j)[i] over 1 < j < m - 1: the terms with the newest operands are left out. Where
 /// m is 2 these are one, and the sum is its negative, so that it may be added twice.
 template <std::size_t Lanes>
 void sum_products(const Rows<Lanes>& left, const Rows<Lanes>& right, std::size_t m, double* sums) {
-  constexpr std::size_t stride = lanes::padded(Lanes);
-  constexpr std::size_t total = lanes::vectors(Lanes);
-  const auto chunk = [&]<std::size_t Count>(std::size_t at, std::integral_constant<std::size_t, Count>) {
-    lanes::Vector accumulated[Count];
-    lanes::convolve<stride>(left[0].data() + at, right[0].data() + at, m, accumulated,
-                            std::make_index_sequence<Count>{});
-    for (std::size_t v = 0; v < Count; ++v) {
-      lanes::store(accumulated[v], sums + at + v * lanes::width);
-    }
-  };
-  for (std::size_t v = 0; v + lanes::at_once <= total; v += lanes::at_once) {
-    chunk(v * lanes::width, std::integral_constant<std::size_t, lanes::at_once>{});
-  }
-  if constexpr (total % lanes::at_once != 0) {
-    chunk(total / lanes::at_once * lanes::at_once * lanes::width,
-          std::integral_constant<std::size_t, total % lanes::at_once>{});
-  }
+  by_chunks<Lanes>([&]<std::size_t... V>(std::size_t first, std::index_sequence<V...> vectors) {
+    lanes::Vector chunk[sizeof...(V)];
+    lanes::convolve<lanes::padded(Lanes)>(left[0].data() + first, right[0].data() + first, m, chunk, vectors);
+    (lanes::store(chunk[V], sums + first + V * lanes::width), ...);
+  });
 }
 
 /// Likewise half the sums of x_j[i] x_(m-j)[i], with half the multiplications.
 template <std::size_t Lanes>
 void sum_squares(const Rows<Lanes>& x, std::size_t m, double* sums) {
-  constexpr std::size_t stride = lanes::padded(Lanes);
-  constexpr std::size_t total = lanes::vectors(Lanes);
-  const auto chunk = [&]<std::size_t Count>(std::size_t at, std::integral_constant<std::size_t, Count>) {
-    lanes::Vector accumulated[Count];
-    lanes::convolve_square<stride>(x[0].data() + at, m, accumulated, std::make_index_sequence<Count>{});
-    for (std::size_t v = 0; v < Count; ++v) {
-      lanes::store(accumulated[v], sums + at + v * lanes::width);
-    }
-  };
-  for (std::size_t v = 0; v + lanes::at_once <= total; v += lanes::at_once) {
-    chunk(v * lanes::width, std::integral_constant<std::size_t, lanes::at_once>{});
-  }
-  if constexpr (total % lanes::at_once != 0) {
-    chunk(total / lanes::at_once * lanes::at_once * lanes::width,
-          std::integral_constant<std::size_t, total % lanes::at_once>{});
-  }
+  by_chunks<Lanes>([&]<std::size_t... V>(std::size_t first, std::index_sequence<V...> vectors) {
+    lanes::Vector chunk[sizeof...(V)];
+    lanes::convolve_square<lanes::padded(Lanes)>(x[0].data() + first, m, chunk, vectors);
+    (lanes::store(chunk[V], sums + first + V * lanes::width), ...);
+  });
 }
 
 /// Where the coefficients of several quantities are: a row for each order, padded to whole vectors.
