@@ -60,8 +60,9 @@ constexpr std::string_view run = R"(Flags of `mbcc run MODEL.mbd` and of emitted
 
   --from T0 --to T1 --step H           times; the model's `integrate` gives the defaults
   --method NAME                        rk4: classical Runge-Kutta with constant step; dop853: order 8, chooses its steps;
-                                       auto: chooses among those that choose their steps. Without a method in the model
-                                       or on the line it is rk4 where there is a step, else auto
+                                       taylor: series of high order, chooses its steps; auto: chooses among those that
+                                       choose their steps. Without a method in the model or on the line it is rk4
+                                       where there is a step, else auto
   --tolerance TOL                      error per step, relative to the state and its size at the start (default 1e-9)
   --set NAME=VALUE ...                 parameters
   --initial NAME=VALUE ...             coordinates and speeds at the start
