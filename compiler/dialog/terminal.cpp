@@ -43,10 +43,10 @@ Terminal::Terminal() : past_(history_init()), editor_(el_init("mbcc", stdin, std
   el_set(editor, EL_EDITOR, "emacs");
   el_set(editor, EL_HIST, history, past_.get());
   // Ctrl-C comes as a key, so that what stands in the line is not lost; Ctrl-Z then does so, too. Real signals find the
-  // terminal as it was.
+  // terminal as it was. (el_set would copy the names of functions and lose the copies.)
   el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
-  el_set(editor, EL_ADDFN, "mbcc-interrupt", "leave the dialog", &TerminalCallbacks::interrupt);
-  el_set(editor, EL_ADDFN, "mbcc-suspend", "suspend the dialog", &TerminalCallbacks::suspend);
+  el_wset(editor, EL_ADDFN, L"mbcc-interrupt", L"leave the dialog", &TerminalCallbacks::interrupt);
+  el_wset(editor, EL_ADDFN, L"mbcc-suspend", L"suspend the dialog", &TerminalCallbacks::suspend);
   el_set(editor, EL_BIND, "^C", "mbcc-interrupt", nullptr);
   el_set(editor, EL_BIND, "^Z", "mbcc-suspend", nullptr);
   el_set(editor, EL_SIGNAL, 1);
