@@ -83,9 +83,15 @@ class TaylorStepper {
   /// The end of the last step becomes the begin of the next one; what it was rounded by goes along unless somebody has
   /// moved it.
   void leave() {
+    const std::size_t coordinates = std::min(task_.scales.coordinates, end_.size());
+    for (std::size_t j = 0; j < coordinates; ++j) {
+      per_allowed_[j] = 1 / (task_.tolerance * (task_.scales.length + std::abs(end_[j])));
+    }
+    for (std::size_t j = coordinates; j < end_.size(); ++j) {
+      per_allowed_[j] = 1 / (task_.tolerance * (task_.scales.speed + std::abs(end_[j])));
+    }
     for (std::size_t j = 0; j < end_.size(); ++j) {
       carry_[j] = end_[j] == expanded_[j] ? carry_[j] : 0;
-      per_allowed_[j] = 1 / (task_.tolerance * (task_.scales.of(j) + std::abs(end_[j])));
     }
     begin_ = end_;
     arrived_ = false;
@@ -99,8 +105,8 @@ class TaylorStepper {
     }
     coefficients_ = coefficients_of(series_[0]);
     // A polynomial of low degree allows any step.
-    step_ = min(std::exp2(min(log_length_for(order_ - 1), log_length_for(order_))), to - time);
-    return end_before_switches(time) && time + 0.5 * step_ > time;  // not so where the step is 0 or NaN
+    step_ = std::min(allowed_length(), to - time);
+    return end_before_switches(time) && time + 0.5 * step_ > time;  // not so where a coefficient is not finite
   }
 
   /// Shortens the step to end just behind the first switch. False for a start on one, which is on neither side.
@@ -155,15 +161,22 @@ class TaylorStepper {
     return series.coefficients();
   }
 
-  /// The binary logarithm of the step at which the term of one order is as large as is allowed; NaN or -infinity
-  /// where the term is not finite.
-  double log_length_for(std::size_t order) const {
-    const double* const terms = coefficients_.state.row(order);
-    double largest = 0;
+  /// The step at which the larger one of the terms of the last two orders is as large as is allowed; 0 where one is not
+  /// finite.
+  double allowed_length() const {
+    const double* const last = coefficients_.state.row(order_);
+    const double* const before = coefficients_.state.row(order_ - 1);
+    double largest = 0, largest_before = 0, sum = 0;  // the sum meets what is not finite, which maxima may pass over
     for (std::size_t j = 0; j < begin_.size(); ++j) {
-      largest = max(largest, std::abs(terms[j]) * per_allowed_[j]);
+      const double size = std::abs(last[j]) * per_allowed_[j];
+      const double size_before = std::abs(before[j]) * per_allowed_[j];
+      largest = std::max(largest, size);
+      largest_before = std::max(largest_before, size_before);
+      sum += size + size_before;
     }
-    return -std::log2(largest) / static_cast<double>(order);
+    const double order = static_cast<double>(order_);
+    const double shortening = std::max(std::log2(largest) / order, std::log2(largest_before) / (order - 1));
+    return std::isfinite(sum) ? std::exp2(-shortening) : 0;
   }
 
   Attempt advance(double time, double to) {
@@ -190,12 +203,12 @@ class TaylorStepper {
     for (std::size_t first = 0; first < size; first += lanes::width) {
       lanes::Vector even{}, odd{};
       for (std::size_t k = highest_even; k > 0; k -= 2) {
-        even = (even + lanes::load(coefficients_.state.row(k) + first)) * square;
+        even = even * square + lanes::load(coefficients_.state.row(k) + first);
       }
-      for (std::size_t k = highest_odd; k > 1; k -= 2) {
-        odd = (odd + lanes::load(coefficients_.state.row(k) + first)) * square;
+      for (std::size_t k = highest_odd + 2; k > 2; k -= 2) {
+        odd = odd * square + lanes::load(coefficients_.state.row(k - 2) + first);
       }
-      const lanes::Vector sum = even + (odd + lanes::load(coefficients_.state.row(1) + first)) * h;
+      const lanes::Vector sum = even * square + odd * h;
       for (std::size_t j = first; j < std::min(first + lanes::width, size); ++j) {
         y[j] = sum[j - first];
       }
