@@ -47,7 +47,7 @@ class SeriesPlanner {
 
   using ByIndex = std::function<Expr(std::uint32_t)>;
 
-  Expansion::Leaf leaves(ByIndex coordinates, Expr time, ByIndex speeds) {
+  static Expansion::Leaf leaves(const ByIndex& coordinates, Expr time, const ByIndex& speeds) {
     return [=](const Node& node) {
       return node.kind == Kind::Coordinate ? coordinates(node.index)
              : node.kind == Kind::Speed    ? speeds(node.index)

@@ -3,6 +3,8 @@
 
 #include "graph/series.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -168,19 +170,19 @@ TEST_CASE("every operator has its series in emitted forces, and in constraints o
     }
     const std::string f(row.spelling);
     const auto call = [&](const std::string& a, const std::string& b) {
-      const std::string inside = f == "acosh" ? "2 + " + a : a;
-      return row.arity == 1   ? f + "(" + inside + ")"
-             : row.arity == 2 ? f + "(" + a + ", " + b + ")"
-                              : f + "(" + a + " < " + b + ", " + a + "^1.5, " + b + ")";
+      return row.arity == 1   ? fmt::format("{}({}{})", f, f == "acosh" ? "2 + " : "", a)
+             : row.arity == 2 ? fmt::format("{}({}, {})", f, a, b)
+                              : fmt::format("{0}({1} < {2}, ({1})^1.5, {2})", f, a, b);
     };
-    const std::string text =
-        "dimension 2\n"
-        "particle 1 { mass = 1; position = (0.3, 0.6); velocity = (0.2, 0.1); force = (" +
-        call("x1 + 0.2*vx1*t", "y1^3/(1 + x1^2)") + ", -y1) }\n" + "particle 2 { mass = 2; position = (0.3, " +
-        call("0.3", "0.47") + "); velocity = (0, 0) }\n" +
-        "particle 3 { mass = 2; position = (0.3, 0.5); velocity = (0.4, " + call("0.3", "0.4") +
-        "); force = (x3, -1) }\n" + "constraint : y2 = " + call("x2", "0.5 - 0.1*x2") + "\n" +
-        "constraint : vy3 = " + call("x3", "vx3") + "\n";
+    const std::string text = fmt::format(R"(dimension 2
+particle 1 {{ mass = 1; position = (0.3, 0.6); velocity = (0.2, 0.1); force = ({}, -y1) }}
+particle 2 {{ mass = 2; position = (0.3, {}); velocity = (0, 0) }}
+particle 3 {{ mass = 2; position = (0.3, 0.5); velocity = (0.4, {}); force = (x3, -1) }}
+constraint : y2 = {}
+constraint : vy3 = {}
+)",
+                                         call("x1 + 0.2*vx1*t", "y1^3/(1 + x1^2)"), call("0.3", "0.47"),
+                                         call("0.3", "0.4"), call("x2", "0.5 - 0.1*x2"), call("x3", "vx3"));
     cases.push_back(make_case("op_" + f, "op_" + f + ".mbd", text, 2));
   }
   CHECK(compare(cases).empty());
