@@ -180,8 +180,9 @@ class Dop853Stepper {
   /// would become ever shorter on the way there. The rates at the states projected onto the constraints, f(P(y)), are
   /// those of the same motion, and remain smooth; a method keeps its order when it takes them for f. A step that was
   /// rejected while islands were hard to solve is therefore tried again with them. Rounding remains: P is known to
-  /// eps/s along the motion that is lost at s = 0, the rates to eps/s^2. Tolerances below 1e-11 may find no step past a
-  /// singular position (two four-bars: all runs pass down to 1e-11, below it depends on where steps end), and say so.
+  /// eps/s along the motion that is lost at s = 0, the rates to eps/s^2. Tight tolerances may find no step past a
+  /// singular position, and say so (two four-bars: all builds pass down to 1e-10, most at 1e-11; from there on it
+  /// depends on where steps end).
   template <Dynamics M>
   [[gnu::noinline]] void projected_stages(M& model) {
     [&]<std::size_t... S>(std::index_sequence<S...>) { (rare_stage<S + 1>(model), ...); }
