@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "driver/files.hpp"
+#include "model/methods.hpp"
 #include "model/resolve.hpp"
 #include "program/schedule.hpp"
 #include "syntax/parser.hpp"
@@ -20,12 +21,6 @@ std::optional<ImportedFile> import_file(Compilation& compilation, const std::str
   }
   const std::uint32_t file = compilation.sources.add(resolved, std::move(*text));
   return ImportedFile{file, parse(lex(compilation.sources, file, compilation.diagnostics), compilation.diagnostics)};
-}
-
-/// Only a program that names the method carries its recurrences.
-bool wants_series(const model::System& system) {
-  const std::string method = system.integration.method.value_or("");
-  return method == "taylor" || method == "auto";
 }
 
 }  // namespace
@@ -63,7 +58,8 @@ Compilation compile(std::string name, std::string text, const CompileOptions& op
   if (c.diagnostics.has_errors() || options.until == Stage::Derivatives) {
     return c;
   }
-  c.program = schedule(*c.system, c.equations, c.derivatives, *c.graph, wants_series(*c.system));
+  c.program =
+      schedule(*c.system, c.equations, c.derivatives, *c.graph, needs(c.system->integration, model::Code::Series));
   return c;
 }
 

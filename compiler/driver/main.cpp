@@ -13,6 +13,7 @@
 #include "driver/figures.hpp"
 #include "driver/help.hpp"
 #include "driver/model_input.hpp"
+#include "model/methods.hpp"
 
 namespace {
 
@@ -53,7 +54,8 @@ int compile_main(const std::vector<std::string>& words) {
   app.add_option("MODEL", arguments.model, "model file, - for standard input")->required();
   app.add_option("-o", output, "file to write, - for standard output");
   app.add_flag("--library", library, "emit the class alone: no main, no allocation, no streams");
-  app.add_option("--method", arguments.method, "method of integration, instead of the model's own");
+  app.add_option("--method", arguments.method, "method of integration, instead of the model's own")
+      ->check(CLI::IsMember(model::method_names()));
   app.add_option("--depfile", depfile, "also write the files that the output depends on, for make and ninja");
   add_model_arguments(app, arguments);
   if (const auto code = parse(app, words)) {
@@ -65,12 +67,14 @@ int compile_main(const std::vector<std::string>& words) {
   return compile_command(arguments, output, library, depfile);
 }
 
-/// The method among the flags of a simulation that needs code of its own; empty for the others.
+/// The method among the flags of a simulation that needs a program of its own; empty for the others.
 std::string recompiled_method(const std::vector<std::string>& flags) {
-  for (const std::string method : {"taylor", "auto"}) {
-    const bool joined = std::find(flags.begin(), flags.end(), "--method=" + method) != flags.end();
-    const std::array apart{std::string("--method"), method};
-    if (joined || std::search(flags.begin(), flags.end(), apart.begin(), apart.end()) != flags.end()) {
+  constexpr std::string_view flag = "--method", with_value = "--method=";
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    const std::string method = flags[i].starts_with(with_value)           ? flags[i].substr(with_value.size())
+                               : flags[i] == flag && i + 1 < flags.size() ? flags[i + 1]
+                                                                          : "";
+    if (model::needs_own_program(method)) {
       return method;
     }
   }

@@ -1,8 +1,11 @@
 #include "emit/emit.hpp"
 
+#include <fmt/format.h>
+
 #include "emit/class_writer.hpp"
 #include "emit/description.hpp"
 #include "emit/templates.hpp"
+#include "model/methods.hpp"
 
 namespace mbcc {
 
@@ -30,19 +33,19 @@ std::string options_text(const EmitOptions& options) {
          (options.method.empty() ? "" : " --method " + options.method);
 }
 
-/// Methods of the runtime: their header and their names there.
+/// The headers of the methods that are compiled with a model, and their names for mbrt::simulate.
 struct MethodCode {
-  const char* header;
-  const char* types;
+  std::string includes;
+  std::string types;
 };
 
-/// What a run takes unless it is told otherwise; it is compiled with the model. The others are in the library.
-MethodCode method_of(const model::Integration& integration) {
-  const std::string method = integration.method.value_or(integration.chooses_step() ? "dop853" : "rk4");
-  return method == "rk4"      ? MethodCode{"rk4", "mbrt::Rk4"}
-         : method == "taylor" ? MethodCode{"taylor", "mbrt::Taylor"}
-         : method == "auto"   ? MethodCode{"taylor", "mbrt::Dop853, mbrt::Taylor"}
-                              : MethodCode{"dop853", "mbrt::Dop853"};
+MethodCode code_of_methods(const model::Integration& integration) {
+  MethodCode code;
+  for (const model::Method& method : methods_of(integration)) {
+    code.includes += fmt::format("#include <mbrt/{}.hpp>\n", method.name);
+    code.types += fmt::format("{}mbrt::{}", code.types.empty() ? "" : ", ", method.type);
+  }
+  return code;
 }
 
 }  // namespace
@@ -75,10 +78,10 @@ std::string emit(const program::Program& program, const model::System& system, c
   if (options.library) {
     values.emplace("series_include", program.series ? "#include <mbrt/series.hpp>\n" : "");
   } else {
-    const MethodCode method = method_of(system.integration);
+    const MethodCode methods = code_of_methods(system.integration);
     values.emplace("namespace", name_space);
-    values.emplace("method_header", method.header);
-    values.emplace("methods", method.types);
+    values.emplace("method_includes", methods.includes);
+    values.emplace("methods", methods.types);
   }
   return fill(template_text(options.library ? "model.hpp.in" : "simulation.cpp.in"), values);
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "diagnostics/spelling.hpp"
+#include "model/methods.hpp"
 #include "model/system_builder.hpp"
 
 namespace mbcc::model {
@@ -19,9 +20,6 @@ constexpr std::array number_fields = {
     NumberField{"step", &Integration::step, true},           NumberField{"every", &Integration::every, true},
     NumberField{"tolerance", &Integration::tolerance, true},
 };
-
-/// Those of the command line; which of them are built is for the program that integrates to say.
-const std::vector<std::string_view> methods = {"rk4", "dop853", "taylor", "radau", "auto"};
 
 }  // namespace
 
@@ -66,8 +64,9 @@ void SystemBuilder::set_method(const ast::Expression& value) {
     return;
   }
   const std::string& method = word->parts[0].name;
-  if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
-    context_.report.report(Finding::UnknownMethod, value.span, method, suggestion(method, methods));
+  const std::vector<std::string_view> known = method_names();
+  if (std::find(known.begin(), known.end(), method) == known.end()) {
+    context_.report.report(Finding::UnknownMethod, value.span, method, suggestion(method, known));
   }
   system_.integration.method = method;
 }

@@ -14,10 +14,10 @@
 namespace mbrt {
 namespace {
 
+constexpr bool Constant = false, Chosen = true;
 constexpr std::array entries = {
-    MethodEntry{Rk4::name, "classical Runge-Kutta of order 4, constant step", false},
-    MethodEntry{Dop853::name, "Dormand and Prince's Runge-Kutta of order 8, adaptive step", true},
-    MethodEntry{Taylor::name, "Taylor series of an order after the tolerance, adaptive step", true},
+#define MBRT_METHOD(type, steps, description) MethodEntry{type::name, description, steps},
+#include "methods.def"
 };
 
 template <class Method>
@@ -67,9 +67,13 @@ Course integrate(AnyModel& model, const std::vector<Island>& islands, const Opti
                                : model.integrate(options.method, task, state, *observer);
   }
   AnyDynamics dynamics(model, islands, options.stabilization);
-  return options.method == Rk4::name      ? run<Rk4>(dynamics, state, task, observer)
-         : options.method == Taylor::name ? run<Taylor>(dynamics, state, task, observer)
-                                          : run<Dop853>(dynamics, state, task, observer);
+  Course course;
+#define MBRT_METHOD(type, steps, description)            \
+  if (options.method == type::name) {                    \
+    course = run<type>(dynamics, state, task, observer); \
+  }
+#include "methods.def"
+  return course;
 }
 
 double find_failing_stage(AnyModel& model, double time, double step, std::span<double> state) {
