@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graph/graph.hpp"
+#include "graph/in_order.hpp"
 #include "graph/numbers.hpp"
 
 namespace mbcc::graph {
@@ -29,6 +30,14 @@ T perform(Operator op, const std::array<const T*, 3>& operands) {
 #include "graph/operators.def"
   }
   return *operands[0];
+}
+
+/// d a^b / da: Note [powers of zero].
+template <class T>
+T slope_of_power(const T& a, const T& b) {
+  MBCC_USING_ELEMENTARY_FUNCTIONS;
+  const T is_constant = equal(b, number(b, 0));
+  return select(is_constant, number(b, 0), b * pow(a, b - number(b, 1)));
 }
 
 /// Partial derivative of `op`, of value `r` at the operands, with respect to operand `which`.

@@ -92,9 +92,10 @@ class Recurrences {
       return coefficient(a) * value(b);
     }
     if (a == b) {
-      return number(value(a), 2) * (value(a) * coefficient(a)) + terms_.squares(a);
+      return sum_of({number(value(a), 2) * (value(a) * coefficient(a)), terms_.squares(a)});
     }
-    return coefficient(a) * value(b) + value(a) * coefficient(b) + terms_.products(a, b);
+    const T newest = sum_of({coefficient(a) * value(b), value(a) * coefficient(b)});
+    return newest + terms_.products(a, b);
   }
 
   T quotient(Expr v, Expr a, Expr b) {
@@ -105,11 +106,11 @@ class Recurrences {
       // a / s^p = a s^-p: one convolution less than s^p and the quotient, and shared by all quotients by s^p.
       return a.is_constant() ? power_of(v, base, -exponent) : product(a, number(a, 1) / b);
     }
-    const T remaining = value(v) * coefficient(b) + terms_.products(b, v);
+    const T remaining = sum_of({value(v) * coefficient(b), terms_.products(b, v)});
     return (rests(a) ? -remaining : coefficient(a) - remaining) / value(b);
   }
 
-  T root(Expr v, Expr a) { return (coefficient(a) - terms_.squares(v)) / (number(value(v), 2) * value(v)); }
+  T root(Expr v, Expr a) { return quotient_of({coefficient(a) - terms_.squares(v), number(value(v), 2) * value(v)}); }
 
   struct BaseAndExponent {
     Expr base;
@@ -148,8 +149,9 @@ class Recurrences {
 
   /// Of v = constant base^p: m a_0 v_m = p m a_m v_0 + sum of ((p + 1) j - m) a_j v_(m-j).
   T power_of(Expr v, Expr base, Expr p) {
-    const T weighted = (value(p) + number(value(p), 1)) * terms_.inverse_order() * terms_.weighted(base, v);
-    return (value(p) * value(v) * coefficient(base) + (weighted - terms_.products(base, v))) / value(base);
+    const T weighted =
+        product_of({(value(p) + number(value(p), 1)) * terms_.inverse_order(), terms_.weighted(base, v)});
+    return sum_of({value(p) * value(v) * coefficient(base), weighted - terms_.products(base, v)}) / value(base);
   }
 
   T slopes(Expr v) {
@@ -172,7 +174,7 @@ class Recurrences {
   /// The part of v_m that comes from v' = slope a'.
   T slope_term(Expr a, Expr slope) {
     const T newest = value(slope) * coefficient(a);
-    return rests(slope) ? newest : newest + terms_.inverse_order() * terms_.weighted(a, slope);
+    return rests(slope) ? newest : newest + product_of({terms_.inverse_order(), terms_.weighted(a, slope)});
   }
 
   T switched(Expr v) {
@@ -180,7 +182,8 @@ class Recurrences {
       return zero(v);
     }
     if (is(v, Operator::If)) {
-      return select(value(operand(v, 0)), coefficient(operand(v, 1)), coefficient(operand(v, 2)));
+      const T chosen = coefficient(operand(v, 1));
+      return select(value(operand(v, 0)), chosen, coefficient(operand(v, 2)));
     }
     return slopes(v);  // which rest
   }

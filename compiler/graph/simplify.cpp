@@ -10,7 +10,8 @@
 //   a factor of zero says that the scene does not need x.
 // * x x = x^2, so that squares exist once however they are written; (-x)^2 = x^2. (Program turns integer powers
 //   into multiplications.)
-// * Sums and products are ordered by node, so that a + b is b + a; where b - a exists, a - b is -(b - a). Nothing is
+// * Sums and products are ordered by node, constants first, so that a + b is b + a; where b - a exists, a - b is -(b -
+// a). Nothing is
 //   reassociated.
 // * sin^2 x + cos^2 x = 1: directions that turn with time or with an angle stay of length 1. Loses the NaN of an
 //   infinite x, which the constraint itself still has.
@@ -51,7 +52,11 @@ Scaled split(Expr x) {
   return {1, x};
 }
 
-Expr ordered(Operator op, Expr a, Expr b) { return a.graph().intern(op, b < a ? std::array{b, a} : std::array{a, b}); }
+/// Constants first, then in the order of making.
+Expr ordered(Operator op, Expr a, Expr b) {
+  const bool swap = a.is_constant() == b.is_constant() ? b < a : b.is_constant();
+  return a.graph().intern(op, swap ? std::array{b, a} : std::array{a, b});
+}
 
 /// factor * rest, where rest has no numeric factor of its own.
 Expr scale(double factor, Expr rest) {
@@ -131,8 +136,7 @@ Expr fold_sum(Expr a, Expr b) {
     return scale(left.factor + right.factor, left.rest);
   }
   if (left.factor < 0 && right.factor < 0) {
-    const Expr sum = fold_sum(scale(-left.factor, left.rest), scale(-right.factor, right.rest));
-    return times(-1, sum);
+    return times(-1, sum_of({scale(-left.factor, left.rest), scale(-right.factor, right.rest)}));
   }
   if (right.factor < 0) {
     return fold_difference(a, scale(-right.factor, right.rest));

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <map>
 
+#include "graph/in_order.hpp"
 #include "mechanics/islands.hpp"
 
 namespace mbcc::mechanics {
 
 namespace {
+
+using graph::difference_of;
+using graph::product_of;
 
 /// A sparse column or row: position in the elimination order to value, structural zeros absent.
 using Sparse = std::map<std::size_t, Expr>;
@@ -24,7 +28,7 @@ std::optional<Expr> product(const Row& k, const Row& l, const std::vector<Expr>&
     } else if (right->speed < left->speed) {
       ++right;
     } else {
-      const Expr term = as_solved(k, left->value) * as_solved(l, right->value) * mobility[left->speed];
+      const Expr term = product_of({as_solved(k, left->value), as_solved(l, right->value)}) * mobility[left->speed];
       const auto same =
           std::find_if(terms.begin(), terms.end(), [&](const auto& other) { return other.first == term; });
       if (same == terms.end()) {
@@ -166,12 +170,13 @@ void eliminate_two(const std::vector<Sparse>& columns, Elimination& result) {
   const Expr first = columns[0].at(0);
   const Expr coupling = columns[0].at(1);
   const Expr second = columns[1].at(1);
-  const Expr determinant = first * second - coupling * coupling;
+  const Expr determinant = difference_of({first * second, coupling * coupling});
   const Expr reciprocal = number(first, 1) / determinant;
   const Expr r1 = result.forward[0];
   const Expr r2 = result.forward[1];
   result.pivots[1] = {result.pivots[1].row, first * second, determinant, first};
-  result.multipliers = {(second * r1 - coupling * r2) * reciprocal, (first * r2 - coupling * r1) * reciprocal};
+  result.multipliers = {difference_of({second * r1, coupling * r2}) * reciprocal,
+                        difference_of({first * r2, coupling * r1}) * reciprocal};
 }
 
 /// The entry of A along `speed`, divided by the row's content; zero where the row has none.
@@ -199,7 +204,7 @@ void eliminate_square(const Island& island, const Derivatives& derivatives, cons
   const Expr b = entry_along(first, q);
   const Expr c = entry_along(second, p);
   const Expr d = entry_along(second, q);
-  const Expr determinant = a * d - b * c;
+  const Expr determinant = difference_of({a * d, b * c});
   const Expr reciprocal = number(a, 1) / determinant;
   const Expr mobilities = derivatives.mobility[p] * derivatives.mobility[q];
   const Expr s1 = result.pivots[0].diagonal;
@@ -207,10 +212,11 @@ void eliminate_square(const Island& island, const Derivatives& derivatives, cons
   result.pivots[1] = {island.rows[1], number(a, square_leeway) * (s1 * s2), determinant * determinant * mobilities, s1};
   const Expr b1 = right.b[0];
   const Expr b2 = right.b[1];
-  result.accelerations = {reciprocal * (d * b1 - b * b2), reciprocal * (a * b2 - c * b1)};
+  result.accelerations = {reciprocal * difference_of({d * b1, b * b2}), reciprocal * difference_of({a * b2, c * b1})};
   const Expr force_p = (result.accelerations[0] - derivatives.free[p]) / derivatives.mobility[p];
   const Expr force_q = (result.accelerations[1] - derivatives.free[q]) / derivatives.mobility[q];
-  result.multipliers = {reciprocal * (d * force_p - c * force_q), reciprocal * (a * force_q - b * force_p)};
+  result.multipliers = {reciprocal * difference_of({d * force_p, c * force_q}),
+                        reciprocal * difference_of({a * force_q, b * force_p})};
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/in_order.hpp"
+
 namespace mbcc::program {
 
 using graph::Kind;
+using graph::product_of;
 
 namespace {
 
@@ -107,9 +110,10 @@ Expr Expansion::product_lane(Expr left, Expr right, bool weighted) {
   const bool is_fast = pace_ == Pace::Fast;
   const Kind lefts = is_fast ? Kind::LeftFirst : Kind::SlowLeftFirst;
   const Kind rights = is_fast ? Kind::RightFirst : Kind::SlowRightFirst;
-  return graph_.leaf(is_fast ? Kind::ProductSum : Kind::SlowProductSum, lane) +
-         graph_.leaf(lefts, lane) * graph_.leaf(row_of(rights, newest()), lane) +
-         graph_.leaf(row_of(lefts, newest()), lane) * graph_.leaf(rights, lane);
+  const Expr older = graph_.leaf(is_fast ? Kind::ProductSum : Kind::SlowProductSum, lane);
+  const Expr by_left = product_of({graph_.leaf(lefts, lane), graph_.leaf(row_of(rights, newest()), lane)});
+  const Expr by_right = product_of({graph_.leaf(row_of(lefts, newest()), lane), graph_.leaf(rights, lane)});
+  return older + by_left + by_right;
 }
 
 Expr Expansion::squares(Expr a) {
@@ -117,8 +121,9 @@ Expr Expansion::squares(Expr a) {
   const auto lane = static_cast<std::uint32_t>(lanes_.square(pace_, rest));
   const bool is_fast = pace_ == Pace::Fast;
   const Kind operands = is_fast ? Kind::SquareFirst : Kind::SlowSquareFirst;
-  return number(a, 2 * factor * factor) * (graph_.leaf(is_fast ? Kind::SquareSum : Kind::SlowSquareSum, lane) +
-                                           graph_.leaf(operands, lane) * graph_.leaf(row_of(operands, newest()), lane));
+  const Expr older = graph_.leaf(is_fast ? Kind::SquareSum : Kind::SlowSquareSum, lane);
+  const Expr newer = product_of({graph_.leaf(operands, lane), graph_.leaf(row_of(operands, newest()), lane)});
+  return number(a, 2 * factor * factor) * (older + newer);
 }
 
 }  // namespace mbcc::program

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "graph/in_order.hpp"
 #include "program/expansion.hpp"
 
 namespace mbcc::program {
@@ -13,6 +14,7 @@ using graph::Expr;
 using graph::Graph;
 using graph::Kind;
 using graph::Node;
+using graph::product_of;
 using mechanics::Derivatives;
 using mechanics::Entry;
 using mechanics::Equations;
@@ -89,7 +91,8 @@ class SeriesPlanner {
         if (!rests(rest)) {
           const std::size_t lane = lanes_.reaction(pace_of(system_.constraints[k]), rest, k);
           Expr& acceleration = accelerations_[entry.speed];
-          const Expr known = leaf(Kind::ProductSum, lane) + leaf(Kind::LeftFirst, lane) * leaf(Kind::RightNext, lane);
+          const Expr older = leaf(Kind::ProductSum, lane);
+          const Expr known = older + product_of({leaf(Kind::LeftFirst, lane), leaf(Kind::RightNext, lane)});
           acceleration = acceleration + derivatives_.mobility[entry.speed] * factor * known;
         }
       }
@@ -98,9 +101,10 @@ class SeriesPlanner {
 
   /// (k+1)(k+2) H of a holonomic row, (k+1) H of a nonholonomic one, divided by the row's content.
   Expr known_part(const Row& row) {
-    const Expr value = system_.constraints[row.constraint].holonomic
-                           ? leaf(Kind::Order, 1) * leaf(Kind::Order, 2) * fast_ahead_.coefficient(row.value)
-                           : leaf(Kind::Order, 1) * slow_ahead_.coefficient(row.value);
+    const Expr value =
+        system_.constraints[row.constraint].holonomic
+            ? product_of({product_of({leaf(Kind::Order, 1), leaf(Kind::Order, 2)}), fast_ahead_.coefficient(row.value)})
+            : product_of({leaf(Kind::Order, 1), slow_ahead_.coefficient(row.value)});
     return as_solved(row, value);
   }
 
@@ -163,8 +167,8 @@ class SeriesPlanner {
   Expr late_coordinate(Expr rate, Expansion& closing) {
     const Node node = rate.node();
     return node.kind == Kind::Speed
-               ? (leaf(Kind::InverseOrder, 1) * leaf(Kind::InverseOrder, 2)) * accelerations_[node.index]
-               : leaf(Kind::InverseOrder, 2) * closing.coefficient(rate);
+               ? product_of({leaf(Kind::InverseOrder, 1), leaf(Kind::InverseOrder, 2)}) * accelerations_[node.index]
+               : product_of({leaf(Kind::InverseOrder, 2), closing.coefficient(rate)});
   }
 
   void advance_state() {
@@ -258,12 +262,13 @@ class SeriesPlanner {
   // What constraints need of the coefficients that are sought: those with u'_k = 0.
   Expansion slow_ahead_{graph_, lanes_, Pace::Slow, 1,
                         leaves(of_state(Kind::StateNext), leaf(Kind::Impulse, 1), resting())};
-  Expansion fast_ahead_{graph_, lanes_, Pace::Fast, 2,
-                        leaves(
-                            [this](std::uint32_t i) {
-                              return leaf(Kind::InverseOrder, 2) * slow_ahead_.coefficient(equations_.kinematics[i]);
-                            },
-                            zero(), resting())};
+  Expansion fast_ahead_{
+      graph_, lanes_, Pace::Fast, 2,
+      leaves(
+          [this](std::uint32_t i) {
+            return product_of({leaf(Kind::InverseOrder, 2), slow_ahead_.coefficient(equations_.kinematics[i])});
+          },
+          zero(), resting())};
 };
 
 }  // namespace
