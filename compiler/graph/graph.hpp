@@ -135,6 +135,9 @@ inline Expr operator-(Expr a) { return negate(a); }
 inline Expr number(Expr like, double x) { return like.graph().constant(x); }
 inline bool is_zero(Expr a) { return a.is_constant(0); }
 
+/// Integer powers up to this one are multiplications, in their values and in their Taylor coefficients.
+inline constexpr double largest_multiplied_exponent = 32;
+
 /// The constant c of an expression c * rest in canonical form; 1 if there is none.
 double numeric_factor(Expr x);
 

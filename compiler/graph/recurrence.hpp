@@ -138,7 +138,8 @@ class Recurrences {
       return slope_term(b * log(a), v);
     }
     // Positive integer exponents are products: the recurrence of powers divides by a_0, which may be zero.
-    if (const double n = b.is_constant() ? b.node().value : 0; n >= 2 && n <= largest_product && n == std::floor(n)) {
+    if (const double n = b.is_constant() ? b.node().value : 0;
+        n >= 2 && n <= largest_multiplied_exponent && n == std::floor(n)) {
       const bool is_even = std::fmod(n, 2) == 0;
       return is_even ? product(pow(a, number(a, n / 2)), pow(a, number(a, n / 2)))
                      : product(pow(a, number(a, n - 1)), a);
@@ -187,8 +188,6 @@ class Recurrences {
     }
     return slopes(v);  // which rest
   }
-
-  static constexpr double largest_product = 32;
 
   Terms& terms_;
 };

@@ -16,7 +16,6 @@ using graph::Node;
 using graph::NodeId;
 using graph::Operator;
 
-constexpr double largest_expanded_exponent = 32;
 constexpr int divisions_worth_a_reciprocal = 3;
 
 /// The denominators whose reciprocal is worth a value of its own.
@@ -64,7 +63,7 @@ Expr Lowering::lower(const Graph& graph, const Node& node) {
   if (node.op == Operator::Power) {
     const Node& exponent = graph[node.operands[1]];
     if (exponent.kind == Kind::Constant && std::floor(exponent.value) == exponent.value &&
-        std::abs(exponent.value) <= largest_expanded_exponent) {
+        std::abs(exponent.value) <= graph::largest_multiplied_exponent) {
       const Expr power = integer_power(operands[0], static_cast<int>(std::abs(exponent.value)));
       return exponent.value > 0 ? power : reciprocal(power);
     }

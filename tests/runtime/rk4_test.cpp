@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "allocations.hpp"
+#include "equation.hpp"
 #include "sample_model.hpp"
 #include "scenes.hpp"
 
@@ -18,26 +19,6 @@ using namespace mbrt::test;
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-/// y' = f(t, y) of one's choice; remembers the times that were set.
-template <class StateType, class Function>
-struct System {
-  using State = StateType;
-  Function function;
-  std::vector<double> times = {};
-  long evaluations = 0;
-
-  void set_time(double time) { times.push_back(time); }
-  void rates(const State& y, State& rate) {
-    ++evaluations;
-    function(times.back(), y, rate);
-  }
-};
-
-template <class State, class Function>
-System<State, Function> system(Function function) {
-  return {function};
-}
 
 template <class M>
 typename M::State end_of(M& model, typename M::State y, const TimeGrid& grid) {
@@ -60,13 +41,13 @@ TEST_CASE("steps fill the span, the last one shortened") {
 }
 
 TEST_CASE("a quadrature of t^3 is exact, on a shortened step too") {
-  auto cubic = system<std::array<double, 1>>([](double t, const auto&, auto& rate) { rate[0] = 4 * t * t * t; });
+  auto cubic = equation<std::array<double, 1>>([](double t, const auto&, auto& rate) { rate[0] = 4 * t * t * t; });
   // Simpson's rule is exact for cubics; each step rounds once.
   CHECK(end_of(cubic, {0}, time_grid(0, 1, 0.3))[0] == Approx(1).epsilon(4 * eps));
 }
 
 TEST_CASE("the error falls with the fourth power of the step") {
-  auto circle = system<std::array<double, 2>>([](double, const auto& y, auto& rate) { rate = {-y[1], y[0]}; });
+  auto circle = equation<std::array<double, 2>>([](double, const auto& y, auto& rate) { rate = {-y[1], y[0]}; });
   const auto error = [&](double step) {
     const auto y = end_of(circle, {1, 0}, time_grid(0, 1, step));
     return std::hypot(y[0] - std::cos(1), y[1] - std::sin(1));
@@ -76,7 +57,7 @@ TEST_CASE("the error falls with the fourth power of the step") {
 }
 
 TEST_CASE("each time is set once, and each step costs four evaluations") {
-  auto rest = system<std::array<double, 1>>([](double, const auto&, auto& rate) { rate[0] = 0; });
+  auto rest = equation<std::array<double, 1>>([](double, const auto&, auto& rate) { rate[0] = 0; });
   end_of(rest, {0}, time_grid(0, 1, 0.4));
   CHECK(rest.evaluations == 4 * 3 + 1);
   const std::vector<double> expected = {0, 0.2, 0.4, 0.6, 0.8, 0.9, 1};
@@ -91,8 +72,8 @@ TEST_CASE("states may be vectors") {
     rate[0] = -y[1];
     rate[1] = y[0];
   };
-  auto fixed = system<std::array<double, 2>>(turn);
-  auto dynamic = system<std::vector<double>>(turn);
+  auto fixed = equation<std::array<double, 2>>(turn);
+  auto dynamic = equation<std::vector<double>>(turn);
   const auto a = end_of(fixed, {1, 0}, time_grid(0, 1, 0.1));
   const auto b = end_of(dynamic, {1, 0}, time_grid(0, 1, 0.1));
   CHECK(a[0] == b[0]);
@@ -111,7 +92,7 @@ TEST_CASE("observers see every accepted state with its rate, and may end the run
       return time < 0.45;
     }
   } until;
-  auto line = system<std::array<double, 1>>([](double, const auto&, auto& rate) { rate[0] = 2; });
+  auto line = equation<std::array<double, 1>>([](double, const auto&, auto& rate) { rate[0] = 2; });
   std::array<double, 1> y = {0};
   rk4(line, y, time_grid(0, 1, 0.25), until);
   CHECK(until.times == std::vector<double>{0, 0.25, 0.5});
