@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -58,12 +59,25 @@ std::string short_hash(std::string_view key) {
   return fmt::format("{:016x}", hash);
 }
 
+/// The sizes and times of the files of the runtime.
+std::string stamp(const Runtime& runtime) {
+  std::vector<fs::path> files{runtime.library};
+  std::error_code ignored;
+  for (const fs::directory_entry& header : fs::directory_iterator(runtime.include / "mbrt", ignored)) {
+    files.push_back(header.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::string text;
+  for (const fs::path& file : files) {
+    text += fmt::format("{} of {} bytes, {}\n", file.string(), fs::file_size(file, ignored),
+                        fs::last_write_time(file, ignored).time_since_epoch().count());
+  }
+  return text;
+}
+
 /// Everything that the program depends on.
 std::string cache_key(const std::string& source, const std::vector<std::string>& command, const Runtime& runtime) {
-  std::error_code ignored;
-  return fmt::format("mbcc {}\n{}\nruntime {} of {} bytes, {}\n\n{}", version, fmt::join(command, " "),
-                     runtime.library.string(), fs::file_size(runtime.library, ignored),
-                     fs::last_write_time(runtime.library, ignored).time_since_epoch().count(), source);
+  return fmt::format("mbcc {}\n{}\n{}\n{}", version, fmt::join(command, " "), stamp(runtime), source);
 }
 
 }  // namespace
