@@ -21,15 +21,6 @@ Expr same_leaf(Graph& graph, const Node& node) {
   return node.kind == Kind::Constant ? graph.constant(node.value) : graph.leaf(node.kind, node.index);
 }
 
-/// d expression / d leaf, for the leaf of that kind and index.
-Expr partial(Expr expression, Kind kind, std::uint32_t index) {
-  Graph& graph = expression.graph();
-  const auto seed = [&](const Node& node) -> Dual<Expr> {
-    return {same_leaf(graph, node), graph.constant(node.kind == kind && node.index == index ? 1 : 0)};
-  };
-  return graph::evaluate<Dual<Expr>>(graph, std::array{expression}, seed).front().derivative;
-}
-
 struct Rates {
   Expr first;
   Expr second;

@@ -1,6 +1,7 @@
 #pragma once
 // The equations of a System as expressions of one graph.
 
+#include <cstdint>
 #include <vector>
 
 #include "graph/graph.hpp"
@@ -24,6 +25,9 @@ struct Equations {
 
 /// Expresses `system` in `graph`. Total derivatives (postfix prime) become derivatives along the motion.
 Equations formulate(const model::System& system, graph::Graph& graph);
+
+/// d expression / d leaf, for the leaf of that kind and index.
+Expr partial(Expr expression, graph::Kind kind, std::uint32_t index);
 
 /// The derivative of each expression along the motion q' = kinematics, u' = accelerations (Acceleration leaves).
 std::vector<Expr> rates_of(const std::vector<Expr>& expressions, const std::vector<Expr>& kinematics);

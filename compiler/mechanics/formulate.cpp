@@ -42,6 +42,8 @@ class Lowering {
         return graph_.leaf(Kind::Parameter, expression.index);
       case ExpressionKind::Apply:
         return lower_application(expression);
+      case ExpressionKind::Share:
+        return partial(operand(expression, 0), Kind::Speed, expression.index);
       case ExpressionKind::Rate:
         return rates_of({operand(expression, 0)}, kinematics_).front();
     }
@@ -75,7 +77,39 @@ std::vector<Expr> select(const std::vector<Item>& items, Member member, const Lo
   return selected;
 }
 
+/// Replaces coordinates and speeds in the starts by their own starts.
+void resolve_starts(const std::vector<std::size_t>& order, Equations& equations, Graph& graph) {
+  const std::size_t coordinates = equations.initial_coordinates.size();
+  const auto start = [&](const Node& node) -> Expr {
+    switch (node.kind) {
+      case Kind::Coordinate:
+        return equations.initial_coordinates[node.index];
+      case Kind::Speed:
+        return equations.initial_speeds[node.index];
+      case Kind::Constant:
+        return graph.constant(node.value);
+      default:
+        return graph.leaf(node.kind, node.index);
+    }
+  };
+  for (const std::size_t i : order) {
+    Expr& value = i < coordinates ? equations.initial_coordinates[i] : equations.initial_speeds[i - coordinates];
+    if (value.level() > graph::Level::Parameter) {
+      value = graph::evaluate<Expr>(graph, std::array{value}, start).front();
+    }
+  }
+}
+
 }  // namespace
+
+Expr partial(Expr expression, Kind kind, std::uint32_t index) {
+  Graph& graph = expression.graph();
+  const auto seed = [&](const Node& node) -> Dual<Expr> {
+    const Expr leaf = node.kind == Kind::Constant ? graph.constant(node.value) : graph.leaf(node.kind, node.index);
+    return {leaf, graph.constant(node.kind == kind && node.index == index ? 1 : 0)};
+  };
+  return graph::evaluate<Dual<Expr>>(graph, std::array{expression}, seed).front().derivative;
+}
 
 std::vector<Expr> rates_of(const std::vector<Expr>& expressions, const std::vector<Expr>& kinematics) {
   if (expressions.empty()) {
@@ -112,6 +146,7 @@ Equations formulate(const model::System& system, Graph& graph) {
   const Lowering lowering(system, graph, equations.kinematics);
   equations.initial_coordinates = select(system.coordinates, &model::Coordinate::initial, lowering);
   equations.initial_speeds = select(system.speeds, &model::Speed::initial, lowering);
+  resolve_starts(system.start_order, equations, graph);
   equations.inertia = select(system.speeds, &model::Speed::inertia, lowering);
   equations.forces = select(system.forces, &model::Force::value, lowering);
   equations.constraints = select(system.constraints, &model::Constraint::value, lowering);

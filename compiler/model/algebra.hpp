@@ -39,6 +39,10 @@ class Algebra {
 
   /// Reports anything but a number. False also for nothing.
   bool expect_number(const Operand& operand, std::string_view what);
+  /// As many components as the dimension; the number 0 stands for zeros. Nothing, with a finding, for other values.
+  Value expect_vector(const Operand& operand, std::string_view what);
+  /// False, with a finding, if the value depends on one of `unwanted`.
+  bool expect_independent(const Operand& operand, Quantities unwanted, std::string_view what);
 
  private:
   Value sum(graph::Operator op, const Operand& left, const Operand& right, Span sign, Span whole);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <set>
 
 #include "diagnostics/assert.hpp"
 #include "graph/evaluate.hpp"
@@ -80,6 +81,44 @@ Scalar Arena::rate(Scalar operand, Span span) {
   return append(rate, of_operand | brought_by_rate(of_operand));
 }
 
+Scalar Arena::share(Scalar position, SpeedId speed, Span span) {
+  const Scalar velocity = rate(position, span);
+  if (!velocity.node || !overlap(quantities(position), Quantities::Coordinate)) {
+    return {};
+  }
+  Expression share;
+  share.kind = ExpressionKind::Share;
+  share.index = index(speed);
+  share.operands[0] = *velocity.node;
+  share.span = span;
+  return append(share, quantities(position));
+}
+
+std::vector<CoordinateId> Arena::coordinates_of(const Value& position) const {
+  std::set<CoordinateId> found;
+  std::set<ExpressionId> seen;
+  std::vector<ExpressionId> open;
+  for (const Scalar& component : position) {
+    if (component.node) {
+      open.push_back(*component.node);
+    }
+  }
+  while (!open.empty()) {
+    const ExpressionId id = open.back();
+    open.pop_back();
+    if (!seen.insert(id).second) {
+      continue;
+    }
+    const Expression& expression = expressions_[index(id)];
+    if (expression.kind == ExpressionKind::Coordinate) {
+      found.insert(CoordinateId{expression.index});
+    }
+    open.insert(open.end(), expression.operands.begin(),
+                expression.operands.begin() + static_cast<std::ptrdiff_t>(operand_count(expression)));
+  }
+  return {found.begin(), found.end()};
+}
+
 ExpressionId Arena::node(Scalar scalar, Span span) {
   if (scalar.node) {
     return *scalar.node;
@@ -124,6 +163,7 @@ std::size_t operand_count(const Expression& expression) {
   switch (expression.kind) {
     case ExpressionKind::Apply:
       return static_cast<std::size_t>(graph::arity(expression.op));
+    case ExpressionKind::Share:
     case ExpressionKind::Rate:
       return 1;
     default:

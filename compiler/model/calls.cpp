@@ -127,7 +127,7 @@ Value Evaluator::condition(const ast::Comparison& comparison, Span span, const F
 }
 
 void Evaluator::report_unknown(const ast::Call& call, const Frame* frame) {
-  const Symbol* symbol = context_.symbols.find(call.function);
+  const Symbol* symbol = frame->scope->find(call.function);
   if (symbol != nullptr) {
     context_.report.report(Finding::NotAFunction, call.function_span, call.function, describe(symbol->kind));
   } else if (find_local(frame, call.function) != nullptr) {

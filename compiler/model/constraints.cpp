@@ -10,12 +10,14 @@ namespace mbcc::model {
 namespace {
 
 std::optional<Template> template_of(const Instance& instance) {
-  if (instance.frame == nullptr) {
+  if (!is_in_loop(instance.frame) && !instance.frame->scope->is_part()) {
     return std::nullopt;
   }
   Template made_by{instance.statement->span, {}};
-  for (const Frame* frame = instance.frame; frame != nullptr; frame = frame->outer) {
-    made_by.indices.push_back(frame->value);
+  for (const Frame* frame = instance.frame; frame != nullptr; frame = frame->scope->made_in) {
+    for (; is_in_loop(frame); frame = frame->outer) {
+      made_by.indices.push_back(frame->value);
+    }
   }
   std::reverse(made_by.indices.begin(), made_by.indices.end());
   return made_by;
@@ -24,12 +26,14 @@ std::optional<Template> template_of(const Instance& instance) {
 }  // namespace
 
 void SystemBuilder::add(const ast::Constraint& constraint, const Instance& instance) {
-  ++constraints_so_far_;
-  std::string name = fmt::format("constraint_{}", constraints_so_far_);
+  Scope& scope = *instance.frame->scope;
+  ++scope.constraints_so_far;
+  std::string name = fmt::format("constraint_{}", scope.constraints_so_far);
   if (constraint.label) {
     const std::optional<Indices> indices = evaluator_.indices(constraint.label->indices, instance.frame);
     name = element_name(constraint.label->name, indices.value_or(Indices{}));
   }
+  name = scope.path_of(name);
   const Span span = join(constraint.sides.front().span, constraint.sides.back().span);
   const Value rows = equation(constraint, span, instance.frame);
   for (std::size_t axis = 0; axis < rows.size(); ++axis) {

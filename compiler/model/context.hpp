@@ -13,11 +13,13 @@ class Budget {
   explicit Budget(Reporter& report) : report_(report) {}
 
   static constexpr std::size_t most_statements = 1'000'000;
+  static constexpr std::size_t most_parts = 100'000;  ///< each has tables of its own
   static constexpr std::size_t most_terms = 5'000'000;
   static constexpr std::size_t most_nodes = 50'000'000;  ///< two gigabytes of them
 
   /// False, with a finding at `span` the first time, if there is no more to spend; then everything must stop.
   bool spend_statement(Span span) { return spend(++statements_, most_statements, "statements after unrolling", span); }
+  bool spend_part(Span span) { return spend(++parts_, most_parts, "parts", span); }
   bool spend_term(Span span) { return spend(++terms_, most_terms, "terms of sums", span); }
   bool allows_nodes(std::size_t nodes, Span span) { return spend(nodes, most_nodes, "operations", span); }
   bool is_exhausted() const { return exhausted_; }
@@ -36,6 +38,7 @@ class Budget {
 
   Reporter& report_;
   std::size_t statements_ = 0;
+  std::size_t parts_ = 0;
   std::size_t terms_ = 0;
   bool exhausted_ = false;
 };

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/modules.hpp"
+
 namespace mbcc::model {
 namespace {
 
@@ -13,7 +15,8 @@ bool belongs_outside_loops(const ast::Statement& statement) {
          std::holds_alternative<ast::Dimension>(statement.node) ||
          std::holds_alternative<ast::Constant>(statement.node) ||
          std::holds_alternative<ast::Gravity>(statement.node) || std::holds_alternative<ast::Import>(statement.node) ||
-         std::holds_alternative<ast::Integrate>(statement.node);
+         std::holds_alternative<ast::Integrate>(statement.node) ||
+         std::holds_alternative<ast::Module>(statement.node) || std::holds_alternative<ast::Port>(statement.node);
 }
 
 /// Of statements in loops.
@@ -22,27 +25,85 @@ bool is_local(const ast::Statement& statement) {
   return let != nullptr && let->name.indices.empty();
 }
 
-const ast::Expression& expression_of(const ast::Statement& statement) {
+/// Null for a port, which has none of its own.
+const ast::Expression* expression_of(const ast::Statement& statement) {
   if (const auto* let = std::get_if<ast::Let>(&statement.node)) {
-    return let->value;
+    return &let->value;
   }
   if (const auto* constant = std::get_if<ast::Constant>(&statement.node)) {
-    return constant->value;
+    return &constant->value;
   }
-  return std::get<ast::Parameter>(statement.node).value;
+  if (const auto* point = std::get_if<ast::Point>(&statement.node)) {
+    return &point->value;
+  }
+  const auto* parameter = std::get_if<ast::Parameter>(&statement.node);
+  return parameter != nullptr ? &parameter->value : nullptr;
 }
 
 class Unrolling {
  public:
   Unrolling(Evaluator& evaluator, Context& context) : evaluator_(evaluator), context_(context) {}
 
+  void declare_model(const Statements& statements) {
+    Scope& scope = add_scope();
+    scope.module = statements.alone;
+    declare_statements(scope, statements.all);
+  }
+
+  std::vector<Instance> take() { return std::move(instances_); }
+
+ private:
+  Scope& add_scope() {
+    Scope& scope = context_.symbols.scopes.emplace_back();
+    scope.frame.scope = &scope;
+    return scope;
+  }
+
+  void declare_statements(Scope& scope, const std::vector<const ast::Statement*>& statements) {
+    declare_names(statements, scope, context_);
+    if (scope.module != nullptr) {
+      define_formals(scope);
+    }
+    declare_constants(scope, statements);
+    if (!scope.is_part()) {
+      find_dimension(scope, statements);
+    }
+    for (const ast::Statement* statement : statements) {
+      add(*statement, &scope.frame);
+    }
+  }
+
+  void define_formals(Scope& scope) {
+    for (const ast::Formal& formal : scope.module->formals) {
+      if (Definition* definition = enter_definition({SymbolKind::Formal, &formal.name}, &scope.frame)) {
+        definition->expression = formal.value ? &*formal.value : nullptr;
+        bind_formal(*definition, scope, context_);
+      }
+    }
+  }
+
+  void find_dimension(const Scope& scope, const std::vector<const ast::Statement*>& statements) {
+    for (const ast::Statement* statement : statements) {
+      const auto* dimension = std::get_if<ast::Dimension>(&statement->node);
+      if (dimension == nullptr) {
+        continue;
+      }
+      const std::optional<long> value = evaluator_.whole_number(dimension->value, &scope.frame, "the dimension");
+      if (value && (*value < 1 || *value > 3)) {
+        context_.report.report(Finding::DimensionRange, dimension->value.span, *value);
+      }
+      context_.dimension = value && 1 <= *value && *value <= 3 ? static_cast<int>(*value) : 0;
+      return;
+    }
+  }
+
   /// Constants may be used in loop bounds and indices anywhere, so they come first: plain ones, then indexed ones.
-  void declare_constants(const std::vector<const ast::Statement*>& statements) {
+  void declare_constants(Scope& scope, const std::vector<const ast::Statement*>& statements) {
     for (const bool indexed : {false, true}) {
       for (const ast::Statement* statement : statements) {
         const auto* constant = std::get_if<ast::Constant>(&statement->node);
         if (constant != nullptr && constant->name.indices.empty() != indexed) {
-          define(*statement, nullptr);
+          define(*statement, &scope.frame);
         }
       }
     }
@@ -54,10 +115,12 @@ class Unrolling {
     }
     if (const auto* loop = std::get_if<ast::For>(&statement.node)) {
       unroll(*loop, statement, frame);
-    } else if (frame != nullptr && belongs_outside_loops(statement)) {
+    } else if (is_in_loop(frame) && belongs_outside_loops(statement)) {
       const bool is_constant = std::holds_alternative<ast::Constant>(statement.node);
       context_.report.report(Finding::NotInLoop, statement.keyword_span, context_.sources.text(statement.keyword_span),
                              is_constant ? ": use `let`" : "");
+    } else if (std::holds_alternative<ast::Port>(statement.node) && frame->scope->module == nullptr) {
+      context_.report.report(Finding::OnlyInModule, statement.keyword_span);
     } else if (const auto* unsupported = std::get_if<ast::Unsupported>(&statement.node)) {
       context_.report.report(Finding::NotSupportedYet, statement.keyword_span, unsupported->keyword);
     } else {
@@ -65,21 +128,18 @@ class Unrolling {
     }
   }
 
-  std::vector<Instance> take() { return std::move(instances_); }
-
- private:
   void unroll(const ast::For& loop, const ast::Statement& statement, Frame* frame) {
     const std::optional<long> first = evaluator_.whole_number(loop.bounds[0], frame, "a loop bound");
     const std::optional<long> last = evaluator_.whole_number(loop.bounds[1], frame, "a loop bound");
     if (!evaluator_.can_be_local(loop.index, loop.index_span, frame) || !first || !last) {
-      declare_incomplete(statement, context_.symbols);
+      declare_incomplete(statement, *frame->scope, context_.symbols);
       return;
     }
     if (*last < *first) {
       context_.report.report(Finding::EmptyLoop, join(loop.index_span, loop.bounds[1].span), loop.index, *first, *last);
     }
     for (long value = *first; value <= *last && context_.budget.spend_statement(statement.keyword_span); ++value) {
-      context_.symbols.frames.push_back({frame, loop.index, value, loop.index_span, {}});
+      context_.symbols.frames.push_back({frame, loop.index, value, loop.index_span, {}, frame->scope});
       Frame& pass = context_.symbols.frames.back();
       for (const bool local : {true, false}) {  // so that loops inside see all local names that they must not hide
         for (const ast::Statement& inner : loop.body) {
@@ -94,10 +154,16 @@ class Unrolling {
   void declare(const ast::Statement& statement, Frame* frame) {
     if (const auto* particle = std::get_if<ast::Particle>(&statement.node)) {
       declare_particle(*particle, statement.span, frame);
-    } else if (std::holds_alternative<ast::Let>(statement.node) ||
-               std::holds_alternative<ast::Parameter>(statement.node)) {
+    } else if (const auto* part = std::get_if<ast::Part>(&statement.node)) {
+      declare_part(*part, frame);
+    } else if (std::holds_alternative<ast::Constant>(statement.node)) {
+      return;  // declared before all others
+    } else if (declared_name(statement) && !std::holds_alternative<ast::Constraint>(statement.node)) {
       define(statement, frame);
-    } else if (!std::holds_alternative<ast::Constant>(statement.node)) {
+    } else if (const auto* dimension = std::get_if<ast::Dimension>(&statement.node);
+               dimension && frame->scope->is_part()) {
+      check_dimension(*dimension, *frame->scope);
+    } else {
       if (const std::optional<DeclaredName> label = declared_name(statement)) {
         enter(*label, 0, frame);
       }
@@ -108,29 +174,67 @@ class Unrolling {
   void define(const ast::Statement& statement, Frame* frame) {
     const DeclaredName declared = *declared_name(statement);
     const ast::Declarator& declarator = *declared.declarator;
-    const bool is_local = frame != nullptr && declarator.indices.empty();
-    std::optional<Indices> indices = Indices{};
-    if (is_local) {
-      if (declared.kind != SymbolKind::Let || !evaluator_.can_be_local(declarator.name, declarator.span, frame)) {
-        return;
-      }
-    } else {
-      indices = enter(declared, context_.symbols.definitions.size(), frame);
-    }
-    if (!indices) {
+    const bool is_local = is_in_loop(frame) && declarator.indices.empty();
+    if (is_local &&
+        (declared.kind != SymbolKind::Let || !evaluator_.can_be_local(declarator.name, declarator.span, frame))) {
       return;
     }
-    Definition& definition = context_.symbols.definitions.emplace_back();
-    definition.kind = declared.kind;
-    definition.declarator = &declarator;
-    definition.expression = &expression_of(statement);
-    definition.frame = frame;
-    definition.name = element_name(declarator.name, *indices);
+    Definition* definition = is_local ? &new_definition(declared, {}, frame) : enter_definition(declared, frame);
+    if (definition == nullptr) {
+      return;
+    }
+    definition->expression = expression_of(statement);
     if (declared.kind == SymbolKind::Parameter) {
-      definition.parameter = ParameterId{parameters_++};
+      definition->parameter = ParameterId{parameters_++};
     }
     if (is_local) {
-      frame->locals.push_back(&definition);
+      frame->locals.push_back(definition);
+    } else if (is_port(statement) && !is_in_loop(frame)) {
+      bind_port(*definition, *frame->scope, context_);
+    }
+  }
+
+  Definition& new_definition(const DeclaredName& declared, const Indices& indices, const Frame* frame) {
+    Definition& definition = context_.symbols.definitions.emplace_back();
+    definition.kind = declared.kind;
+    definition.declarator = declared.declarator;
+    definition.frame = frame;
+    definition.name = frame->scope->path_of(element_name(declared.declarator->name, indices));
+    return definition;
+  }
+
+  /// Null if its name cannot be entered.
+  Definition* enter_definition(const DeclaredName& declared, const Frame* frame) {
+    const std::optional<Indices> indices = enter(declared, context_.symbols.definitions.size(), frame);
+    return indices ? &new_definition(declared, *indices, frame) : nullptr;
+  }
+
+  void declare_part(const ast::Part& part, Frame* frame) {
+    const std::optional<Indices> indices = enter({SymbolKind::Part, &part.name}, context_.symbols.scopes.size(), frame);
+    if (!indices || !context_.budget.spend_part(part.name.span)) {
+      return;
+    }
+    Scope& scope = add_scope();
+    scope.name = frame->scope->path_of(element_name(part.name.name, *indices));
+    scope.made_in = frame;
+    scope.module = find_module(part, *frame->scope, context_);
+    scope.is_lost = scope.module == nullptr;
+    if (scope.is_lost) {
+      return;
+    }
+    scope.arguments = arguments_of(part, scope, context_);
+    scope.ports = ports_of(part, scope, context_);
+    scope.trace = {part.name.span, fmt::format("in part `{}` of module `{}`", scope.name, part.module),
+                   &frame->scope->trace};
+    const Reporter::Within within(context_.report, scope.trace);
+    declare_statements(scope, statements_of(*scope.module));
+  }
+
+  void check_dimension(const ast::Dimension& dimension, const Scope& scope) {
+    const std::optional<long> value = evaluator_.whole_number(dimension.value, &scope.frame, "the dimension");
+    if (value && context_.dimension != 0 && *value != context_.dimension) {
+      context_.report.report(Finding::DimensionDiffers, dimension.value.span, scope.module->name.name, *value,
+                             context_.dimension);
     }
   }
 
@@ -142,7 +246,12 @@ class Unrolling {
     particle.statement = statement;
     particle.frame = frame;
     const Frame* index = declarator.indices.empty() ? find_index(frame, declarator.name) : nullptr;
-    if (declarator.number || index != nullptr) {
+    const bool is_numbered = declarator.number || index != nullptr;
+    if (is_numbered && frame->scope->module != nullptr) {
+      context_.report.report(Finding::NotInModule, declarator.span, "a particle with a number", ": give it a name");
+      return;
+    }
+    if (is_numbered) {
       const double number = declarator.number ? *declarator.number : static_cast<double>(index->value);
       if (!enter_number(number, particle, declarator)) {
         return;
@@ -152,7 +261,7 @@ class Unrolling {
       if (!indices) {
         return;
       }
-      particle.name = element_name(declarator.name, *indices);
+      particle.name = frame->scope->path_of(element_name(declarator.name, *indices));
     }
     context_.symbols.particles.push_back(particle);
   }
@@ -175,7 +284,7 @@ class Unrolling {
   /// The indices of the new element of a name; empty if it cannot be entered.
   std::optional<Indices> enter(const DeclaredName& declared, std::size_t position, const Frame* frame) {
     const ast::Declarator& declarator = *declared.declarator;
-    Symbol* symbol = context_.symbols.find(declarator.name);
+    Symbol* symbol = frame->scope->find(declarator.name);
     std::optional<Indices> indices = evaluator_.indices(declarator.indices, frame);
     if (symbol == nullptr || symbol->kind != declared.kind || symbol->index_count != declarator.indices.size()) {
       return std::nullopt;  // reported when the names were declared
@@ -200,21 +309,6 @@ class Unrolling {
   std::uint32_t parameters_ = 0;
 };
 
-void find_dimension(const std::vector<const ast::Statement*>& statements, Evaluator& evaluator, Context& context) {
-  for (const ast::Statement* statement : statements) {
-    const auto* dimension = std::get_if<ast::Dimension>(&statement->node);
-    if (dimension == nullptr) {
-      continue;
-    }
-    const std::optional<long> value = evaluator.whole_number(dimension->value, nullptr, "the dimension");
-    if (value && (*value < 1 || *value > 3)) {
-      context.report.report(Finding::DimensionRange, dimension->value.span, *value);
-    }
-    context.dimension = value && 1 <= *value && *value <= 3 ? static_cast<int>(*value) : 0;
-    return;
-  }
-}
-
 void check_numbers(Context& context) {
   const Symbols& symbols = context.symbols;
   long expected = 1;
@@ -231,15 +325,10 @@ void check_numbers(Context& context) {
 
 }  // namespace
 
-std::vector<Instance> declare(const std::vector<const ast::Statement*>& statements, Evaluator& evaluator,
-                              Context& context) {
-  declare_names(statements, context);
+std::vector<Instance> declare(const Statements& statements, Evaluator& evaluator, Context& context) {
+  collect_modules(statements.all, context);
   Unrolling unrolling(evaluator, context);
-  unrolling.declare_constants(statements);
-  find_dimension(statements, evaluator, context);
-  for (const ast::Statement* statement : statements) {
-    unrolling.add(*statement, nullptr);
-  }
+  unrolling.declare_model(statements);
   check_numbers(context);
   return unrolling.take();
 }

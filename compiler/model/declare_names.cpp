@@ -9,7 +9,9 @@ namespace {
 
 class NameDeclaration {
  public:
-  explicit NameDeclaration(Context& context) : context_(context) {}
+  NameDeclaration(Scope& scope, Context& context) : scope_(scope), context_(context) {}
+
+  void add(const ast::Formal& formal) { add(DeclaredName{SymbolKind::Formal, &formal.name}); }
 
   void add(const ast::Statement& statement) {
     if (const auto* loop = std::get_if<ast::For>(&statement.node)) {
@@ -36,15 +38,16 @@ class NameDeclaration {
     if (is_numbered || (is_local && declared.kind == SymbolKind::Let)) {
       return;
     }
-    if (!loops_.empty() && declared.kind == SymbolKind::Constant) {
-      context_.symbols.refused.insert(declarator.name);
+    const bool stands_once = declared.kind == SymbolKind::Constant || declared.kind == SymbolKind::Port;
+    if (!loops_.empty() && stands_once) {
+      scope_.refused.insert(declarator.name);
       return;
     }
     if (refuse_reserved(declared)) {
-      context_.symbols.refused.insert(declarator.name);
+      scope_.refused.insert(declarator.name);
     } else if (is_local) {
       context_.report.report(Finding::NeedsIndex, declarator.span, declarator.name, declarator.name, loops_.back());
-      context_.symbols.refused.insert(declarator.name);
+      scope_.refused.insert(declarator.name);
     } else {
       enter(declared);
     }
@@ -64,7 +67,7 @@ class NameDeclaration {
 
   void enter(const DeclaredName& declared) {
     const ast::Declarator& declarator = *declared.declarator;
-    const auto [entry, is_new] = context_.symbols.table.try_emplace(declarator.name);
+    const auto [entry, is_new] = scope_.table.try_emplace(declarator.name);
     Symbol& symbol = entry->second;
     if (is_new) {
       symbol.kind = declared.kind;
@@ -76,6 +79,7 @@ class NameDeclaration {
     }
   }
 
+  Scope& scope_;
   Context& context_;
   std::vector<std::string> loops_;  ///< indices of the loops around, outermost first
 };
@@ -98,23 +102,37 @@ std::optional<DeclaredName> declared_name(const ast::Statement& statement) {
   if (const auto* constraint = std::get_if<ast::Constraint>(&statement.node); constraint && constraint->label) {
     return DeclaredName{SymbolKind::Constraint, &*constraint->label};
   }
+  if (const auto* point = std::get_if<ast::Point>(&statement.node)) {
+    return DeclaredName{SymbolKind::Point, &point->name};
+  }
+  if (const auto* port = std::get_if<ast::Port>(&statement.node)) {
+    return DeclaredName{SymbolKind::Port, &port->name};
+  }
+  if (const auto* part = std::get_if<ast::Part>(&statement.node)) {
+    return DeclaredName{SymbolKind::Part, &part->name};
+  }
   return std::nullopt;
 }
 
-void declare_names(const std::vector<const ast::Statement*>& statements, Context& context) {
-  NameDeclaration declaration(context);
+void declare_names(const std::vector<const ast::Statement*>& statements, Scope& scope, Context& context) {
+  NameDeclaration declaration(scope, context);
+  if (scope.module != nullptr) {
+    for (const ast::Formal& formal : scope.module->formals) {
+      declaration.add(formal);
+    }
+  }
   for (const ast::Statement* statement : statements) {
     declaration.add(*statement);
   }
 }
 
-void declare_incomplete(const ast::Statement& statement, Symbols& symbols) {
+void declare_incomplete(const ast::Statement& statement, Scope& scope, Symbols& symbols) {
   if (const auto* loop = std::get_if<ast::For>(&statement.node)) {
     for (const ast::Statement& inner : loop->body) {
-      declare_incomplete(inner, symbols);
+      declare_incomplete(inner, scope, symbols);
     }
   } else if (const std::optional<DeclaredName> declared = declared_name(statement)) {
-    if (Symbol* symbol = symbols.find(declared->declarator->name)) {
+    if (Symbol* symbol = scope.find(declared->declarator->name)) {
       symbol->complete = false;
     } else if (declared->kind == SymbolKind::Particle) {
       symbols.numbers_complete = false;

@@ -11,6 +11,9 @@ namespace mbcc::model {
 
 Value Evaluator::value_of(Definition& definition, Span use) {
   context_.symbols.used.insert(definition.declarator);
+  if (definition.kind == SymbolKind::Formal && !structural_.empty()) {
+    return known_value_of(definition, use);
+  }
   if (definition.kind != SymbolKind::Constant &&
       refuse_unless_structural(definition.name, describe(definition.kind), use)) {
     return {};
@@ -21,29 +24,64 @@ Value Evaluator::value_of(Definition& definition, Span use) {
   return evaluate(definition);
 }
 
-Value Evaluator::evaluate(Definition& definition) {
-  switch (definition.state) {
-    case Definition::State::Done:
-      return definition.value;
-    case Definition::State::Active:
-      report_cycle(definition);
-      return {};
-    case Definition::State::Waiting:
-      break;
+/// Keeps the state of a definition while it is evaluated.
+template <class Evaluation>
+Value Evaluator::activate(Definition& definition, const Evaluation& evaluation) {
+  if (definition.state == Definition::State::Active) {
+    report_cycle(definition);
+    return {};
   }
   definition.state = Definition::State::Active;
   active_.push_back(&definition);
-  if (definition.kind == SymbolKind::Let) {
-    definition.value = evaluate(*definition.expression, definition.frame);
-  } else {
-    const std::string_view what =
-        definition.kind == SymbolKind::Constant ? "the value of a constant" : default_of_parameter;
-    const std::optional<double> number = structural(*definition.expression, definition.frame, what);
-    definition.value = number ? Value(*number) : Value();
-  }
+  definition.value = evaluation();
   active_.pop_back();
   definition.state = Definition::State::Done;
   return definition.value;
+}
+
+Value Evaluator::evaluate(Definition& definition) {
+  if (definition.state == Definition::State::Done || definition.expression == nullptr) {
+    return definition.value;
+  }
+  return activate(definition, [&]() -> Value {
+    const Reporter::Within within(context_.report, definition.frame->scope->trace);
+    switch (definition.kind) {
+      case SymbolKind::Constant:
+        return known(*definition.expression, definition.frame, "the value of a constant");
+      case SymbolKind::Parameter:
+        return known(*definition.expression, definition.frame, default_of_parameter);
+      case SymbolKind::Point:
+      case SymbolKind::Port:
+        return position_of(definition);
+      default:
+        return evaluate(*definition.expression, definition.frame);
+    }
+  });
+}
+
+Value Evaluator::known(const ast::Expression& expression, const Frame* frame, std::string_view what) {
+  const std::optional<double> number = structural(expression, frame, what);
+  return number ? Value(*number) : Value();
+}
+
+/// Of a parameter of a module where only what is known when compiling may stand: so must be what it is given.
+Value Evaluator::known_value_of(Definition& formal, Span use) {
+  if (formal.is_known || formal.expression == nullptr) {
+    return formal.value;
+  }
+  formal.is_known = true;
+  return activate(formal, [&] {
+    const Trace needed{use, fmt::format("`{}` is needed here", formal.name), &formal.frame->scope->trace};
+    const Reporter::Within within(context_.report, needed);
+    return known(*formal.expression, formal.frame, structural_);
+  });
+}
+
+Value Evaluator::position_of(const Definition& point) {
+  const Operand position{evaluate(*point.expression, point.frame), point.expression->span};
+  const std::string what = fmt::format("the position of `{}`", point.name);
+  const Quantities unwanted = Quantities::Speed | Quantities::Acceleration;
+  return algebra_.expect_independent(position, unwanted, what) ? algebra_.expect_vector(position, what) : Value();
 }
 
 void Evaluator::report_cycle(const Definition& definition) {

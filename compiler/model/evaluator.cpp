@@ -163,7 +163,7 @@ Value Evaluator::visit(const ast::Sum& sum, Span span, const Frame* frame) {
   Value total = 0.0;
   bool known = true;
   for (long step = *first; step <= *last && context_.budget.spend_term(span); ++step) {
-    const Frame inner{frame, sum.index, step, sum.index_span, {}};
+    const Frame inner{frame, sum.index, step, sum.index_span, {}, frame->scope};
     const Operand term{evaluate(body, &inner), body.span};
     known = known && !term.value.is_nothing();
     if (known) {
@@ -179,7 +179,7 @@ bool Evaluator::can_be_local(std::string_view name, Span span, const Frame* fram
     context_.report.report(Finding::ReservedName, span, name, reserved);
     return false;
   }
-  const Symbol* symbol = context_.symbols.find(name);
+  const Symbol* symbol = frame->scope->find(name);
   const Frame* index = find_index(frame, name);
   const Definition* local = find_local(frame, name);
   if (symbol == nullptr && index == nullptr && local == nullptr) {

@@ -34,17 +34,24 @@ class Evaluator {
   /// Reports a name for a loop's or sum's index, or a local `let`, that means something else already.
   bool can_be_local(std::string_view name, Span span, const Frame* frame);
 
-  /// The particle that a name or number stands for, for `force on`.
-  const Particle* particle(const ast::Expression& target, const Frame* frame);
+  /// What `force on` acts on; both empty if it has been reported.
+  struct Target {
+    const Particle* particle = nullptr;
+    Definition* point = nullptr;
+  };
+  Target target(const ast::Expression& target, const Frame* frame);
 
   Algebra& algebra() { return algebra_; }
 
  private:
   using Reference = ast::Reference;
-  /// What the first part of a path stands for; all empty if it has been reported.
+  /// What the beginning of a path stands for; all empty if it has been reported.
   struct Base {
     Value value;
+    Definition* definition = nullptr;
     const Particle* particle = nullptr;
+    const Scope* part = nullptr;
+    std::size_t steps = 1;  ///< of the path
   };
 
   // evaluator.cpp
@@ -70,23 +77,33 @@ class Evaluator {
   // references.cpp
   Value visit(const Reference& reference, Span span, const Frame* frame);
   Base base(const Reference& reference, const Frame* frame);
-  Base element(const Symbol& symbol, const ast::Part& part, const Frame* frame);
-  Value built_in(const ast::Part& part, const Frame* frame);
-  Value numbered(const NumberedVariable& variable, const ast::Part& part, const Frame* frame);
-  Value member(const Particle& particle, const ast::Part& part, Span span);
-  Value component(const Value& value, const std::string& name, const ast::Part& part);
+  Base first(const ast::Step& step, const Frame* frame);
+  Base element(const Symbol& symbol, const ast::Step& step, const Frame* frame);
+  Value built_in(const ast::Step& step, const Frame* frame);
+  Value numbered(const NumberedVariable& variable, const ast::Step& step, const Frame* frame);
+  std::optional<Member> member_of(const std::string& owner, const ast::Step& step);
+  Value member(const Particle& particle, const ast::Step& step, Span span);
+  Value member(Definition& point, const ast::Step& step, Span span);
+  Value component(const Value& value, const std::string& name, const ast::Step& step);
   Value motion(const Particle& particle, const Member& member, Span span);
   /// True, with a finding, where only what is known when compiling may stand.
   bool refuse_unless_structural(std::string_view name, std::string_view is, Span span);
 
   // misses.cpp: why a name was not found
-  void report_unknown(const ast::Part& part, const Frame* frame);
-  void report_not_declared(const Symbol& symbol, const ast::Part& part, const Indices& indices, const Frame* frame);
+  void report_unknown(const ast::Step& step, const Frame* frame);
+  void report_unknown_element(const Scope& part, const ast::Step& step);
+  void report_not_declared(const Symbol& symbol, const ast::Step& step, const Indices& indices, const Frame* frame);
+  void report_not_a_value(const Scope& part, Span span);
 
   // targets.cpp
-  const Particle* numbered_target(const ast::Expression& target, const Frame* frame);
+  Target numbered_target(const ast::Expression& target, const Frame* frame);
 
   // definitions.cpp
+  template <class Evaluation>
+  Value activate(Definition& definition, const Evaluation& evaluation);
+  Value known(const ast::Expression& expression, const Frame* frame, std::string_view what);
+  Value known_value_of(Definition& formal, Span use);
+  Value position_of(const Definition& point);
   void report_cycle(const Definition& definition);
 
   Context& context_;

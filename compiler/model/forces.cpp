@@ -27,11 +27,41 @@ void SystemBuilder::add_force(std::string_view kind, const Particle& particle, s
 }
 
 void SystemBuilder::add(const ast::ForceOn& force, const Instance& instance) {
-  const Particle* particle = evaluator_.particle(force.target, instance.frame);
-  if (particle != nullptr) {
-    add_force(*particle, force.value, instance.frame);
+  const Evaluator::Target target = evaluator_.target(force.target, instance.frame);
+  if (target.particle != nullptr) {
+    add_force(*target.particle, force.value, instance.frame);
+  } else if (target.point != nullptr) {
+    add_force(*target.point, force, instance.frame);
   } else {
     evaluator_.evaluate(force.value, instance.frame);  // for what is wrong with it
+  }
+}
+
+/// A point moves with the speeds that its velocity depends on: along each acts the force times its share in the
+/// velocity.
+void SystemBuilder::add_force(Definition& point, const ast::ForceOn& force, const Frame* frame) {
+  const std::string what = fmt::format("force on `{}`", point.name);
+  const Operand applied{evaluator_.evaluate(force.value, frame), force.value.span};
+  const Value components = expect_independent(applied, Quantities::Acceleration, "the " + what)
+                               ? expect_vector(applied, "the " + what)
+                               : Value();
+  const Span span = force.value.span;
+  const Value position = evaluator_.value_of(point, force.target.span);
+  if (components.is_nothing() || position.is_nothing()) {
+    return;
+  }
+  for (const CoordinateId coordinate : context_.arena.coordinates_of(position)) {
+    const SpeedId speed = system_[coordinate].rate;
+    Value total = 0.0;
+    for (std::size_t axis = 0; axis < components.size(); ++axis) {
+      const Scalar share = context_.arena.share(position[axis], speed, span);
+      const Value part = evaluator_.algebra().multiply({components[axis], span}, {share, span}, span, span);
+      total = evaluator_.algebra().add({total, span}, {part, span}, span, span);
+    }
+    if (!total.is_nothing() && !total.is_zero()) {
+      system_.forces.push_back(
+          {fmt::format("{} along {}", what, system_[speed].name), speed, context_.arena.node(total[0], span), span});
+    }
   }
 }
 
@@ -39,8 +69,8 @@ void SystemBuilder::add(const ast::Gravity& gravity, const Instance& instance) {
   const Operand field{evaluator_.evaluate(gravity.value, instance.frame), gravity.value.span};
   const Quantities motion = Quantities::Coordinate | Quantities::Speed | Quantities::Acceleration;
   const Value components = expect_independent(field, motion, "gravity") ? expect_vector(field, "gravity") : Value();
-  if (components.is_nothing() || context_.report.found_errors()) {
-    return;  // a mass may be missing
+  if (components.is_nothing() || context_.report.found_errors() || instance.frame->scope->is_part()) {
+    return;  // a mass may be missing; and a part hangs in the field of the whole
   }
   for (const Particle& particle : context_.symbols.particles) {
     for (std::size_t axis = 0; axis < components.size(); ++axis) {

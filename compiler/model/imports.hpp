@@ -13,6 +13,7 @@ namespace mbcc::model {
 struct Statements {
   std::deque<ast::ModelFile> imported;  ///< owns what `all` points to, beside the model itself
   std::vector<const ast::Statement*> all;
+  const ast::Module* alone = nullptr;  ///< the module that the model consists of; its statements are among `all`
 };
 
 Statements gather(const ast::ModelFile& model, const Sources& sources, const Importer& import, Reporter& report);

@@ -9,7 +9,7 @@ void SystemBuilder::add(const ast::Output& output, const Instance& instance) {
   const ast::Declarator& declarator = output.name;
   const Value value = evaluator_.evaluate(output.value, instance.frame);
   const std::optional<Indices> indices = evaluator_.indices(declarator.indices, instance.frame);
-  if (instance.frame != nullptr && declarator.indices.empty()) {
+  if (is_in_loop(instance.frame) && declarator.indices.empty()) {
     context_.report.report(Finding::NeedsIndex, declarator.span, declarator.name, declarator.name,
                            instance.frame->index);
     return;
@@ -17,7 +17,7 @@ void SystemBuilder::add(const ast::Output& output, const Instance& instance) {
   if (!indices) {
     return;
   }
-  const std::string name = element_name(declarator.name, *indices);
+  const std::string name = instance.frame->scope->path_of(element_name(declarator.name, *indices));
   for (std::size_t axis = 0; axis < value.size(); ++axis) {
     add_column(value.is_vector() ? fmt::format("{}.{}", name, axis_names[axis]) : name, value[axis], output);
   }

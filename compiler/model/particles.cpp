@@ -21,6 +21,7 @@ void SystemBuilder::add_particles() {
   system_.coordinates.resize(size);
   system_.speeds.resize(size);
   for (const Particle& particle : context_.symbols.particles) {
+    const Reporter::Within within(context_.report, particle.frame->scope->trace);
     fields.push_back(fields_of("particle", particle.syntax->fields, {"mass", "position", "velocity", "force"}));
     Place& place = system_.places.emplace_back();
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(context_.dimension); ++axis) {
@@ -37,13 +38,16 @@ void SystemBuilder::add_particles() {
     }
   }
   for (const Particle& particle : context_.symbols.particles) {
+    const Reporter::Within within(context_.report, particle.frame->scope->trace);
     add_motion(particle, fields[particle.position]);
   }
   for (const Particle& particle : context_.symbols.particles) {
+    const Reporter::Within within(context_.report, particle.frame->scope->trace);
     if (const auto force = fields[particle.position].find("force"); force != fields[particle.position].end()) {
       add_force(particle, force->second->value, particle.frame);
     }
   }
+  order_starts();
 }
 
 void SystemBuilder::add_motion(const Particle& particle, const Fields& fields) {
@@ -52,9 +56,10 @@ void SystemBuilder::add_motion(const Particle& particle, const Fields& fields) {
     return found == fields.end() ? nullptr : found->second;
   };
   const ExpressionId mass = mass_of(particle, field("mass"));
-  const Value position = start_of(particle, field("position"), "position");
+  const Quantities never = Quantities::Time | Quantities::Acceleration;
+  const Value position = start_of(particle, field("position"), "position", never | Quantities::Speed);
   const Value velocity =
-      field("velocity") ? start_of(particle, field("velocity"), "velocity") : expect_vector({0.0, {}}, "");
+      field("velocity") ? start_of(particle, field("velocity"), "velocity", never) : expect_vector({0.0, {}}, "");
   const auto dimension = static_cast<std::size_t>(context_.dimension);
   for (std::size_t axis = 0; axis < dimension; ++axis) {
     Coordinate& coordinate = system_.coordinates[context_.motion_index(particle, axis)];
@@ -77,14 +82,16 @@ void SystemBuilder::report_missing(const Particle& particle, std::string_view fi
   }
 }
 
-Value SystemBuilder::start_of(const Particle& particle, const ast::Field* field, std::string_view what) {
+/// Positions and velocities in a start are those at the start: order_starts().
+Value SystemBuilder::start_of(const Particle& particle, const ast::Field* field, std::string_view what,
+                              Quantities unwanted) {
   if (field == nullptr) {
     report_missing(particle, what);
     return {};
   }
   const Operand start{evaluator_.evaluate(field->value, particle.frame), field->value.span};
   const std::string of = fmt::format("the initial {} of {}", what, describe(particle));
-  return expect_independent(start, motion | Quantities::Time, of) ? expect_vector(start, of) : Value();
+  return expect_independent(start, unwanted, of) ? expect_vector(start, of) : Value();
 }
 
 /// Its value is checked where the parameters have their defaults: others are the run's affair.

@@ -29,7 +29,7 @@ void section(std::string& text, std::string_view title, const std::vector<Item>&
 
 std::string print(const Constraint& constraint, const ExpressionText& write) {
   std::string loop;
-  if (constraint.made_by) {
+  if (constraint.made_by && !constraint.made_by->indices.empty()) {
     loop = fmt::format(", in a loop at {}", fmt::join(constraint.made_by->indices, ","));
   }
   return fmt::format("{}: {} = 0   ({}{})", constraint.name, write(constraint.value),

@@ -12,124 +12,173 @@ namespace mbcc::model {
 
 Value Evaluator::visit(const Reference& reference, Span span, const Frame* frame) {
   const Base start = base(reference, frame);
-  Value value = start.value;
-  std::string path = reference.parts.front().name;
-  for (std::size_t i = 1; i < reference.parts.size(); ++i) {
-    const ast::Part& part = reference.parts[i];
-    if (!part.indices.empty()) {
-      context_.report.report(Finding::IndexCount, part.span, part.name, indices_taken(0), part.indices.size());
-      return {};
-    }
-    const bool of_particle = i == 1 && start.particle != nullptr;
-    value = of_particle ? member(*start.particle, part, span) : component(value, path, part);
-    path += "." + part.name;
+  const std::vector<ast::Step>& steps = reference.steps;
+  if (start.particle == nullptr && start.part == nullptr && start.definition == nullptr && start.value.is_nothing()) {
+    return {};
   }
-  if (start.particle != nullptr && reference.parts.size() == 1) {
+  if (start.part != nullptr) {
+    report_not_a_value(*start.part, span);
+    return {};
+  }
+  if (start.particle != nullptr && steps.size() == start.steps) {
     context_.report.report(Finding::NotAValue, span, start.particle->name, "a particle",
                            fmt::format(": write `{}.position` or the like", start.particle->name));
     return {};
+  }
+  const bool is_point = start.definition != nullptr && is_position(start.definition->kind);
+  Value value = start.definition != nullptr ? value_of(*start.definition, steps[start.steps - 1].span) : start.value;
+  std::string path = start.definition != nullptr ? start.definition->name : steps.front().name;
+  for (std::size_t i = start.steps; i < steps.size(); ++i) {
+    const ast::Step& step = steps[i];
+    if (!step.indices.empty()) {
+      context_.report.report(Finding::IndexCount, step.span, step.name, indices_taken(0), step.indices.size());
+      return {};
+    }
+    const bool is_member = i == start.steps && (start.particle != nullptr || is_point);
+    value = !is_member                  ? component(value, path, step)
+            : start.particle != nullptr ? member(*start.particle, step, span)
+                                        : member(*start.definition, step, span);
+    path += "." + step.name;
   }
   return value;
 }
 
 Evaluator::Base Evaluator::base(const Reference& reference, const Frame* frame) {
-  const ast::Part& part = reference.parts.front();
-  if (part.indices.empty()) {
-    if (const Frame* index = find_index(frame, part.name)) {
-      return {static_cast<double>(index->value), nullptr};
+  Base base = first(reference.steps.front(), frame);
+  for (std::size_t i = 1; base.part != nullptr && i < reference.steps.size(); ++i) {
+    const ast::Step& step = reference.steps[i];
+    const Symbol* symbol = base.part->find(step.name);
+    if (symbol == nullptr) {
+      report_unknown_element(*base.part, step);
+      return {};
     }
-    if (Definition* local = find_local(frame, part.name)) {
-      return {value_of(*local, part.span), nullptr};
-    }
+    base = element(*symbol, step, frame);
+    base.steps = i + 1;
   }
-  if (const Symbol* symbol = context_.symbols.find(part.name)) {
-    return element(*symbol, part, frame);
-  }
-  return {built_in(part, frame), nullptr};
+  return base;
 }
 
-Evaluator::Base Evaluator::element(const Symbol& symbol, const ast::Part& part, const Frame* frame) {
-  const bool is_definition = symbol.kind != SymbolKind::Particle && symbol.kind != SymbolKind::Constraint;
-  if (!is_definition && refuse_unless_structural(part.name, describe(symbol.kind), part.span)) {
+Evaluator::Base Evaluator::first(const ast::Step& step, const Frame* frame) {
+  Base base;
+  if (step.indices.empty()) {
+    if (const Frame* index = find_index(frame, step.name)) {
+      base.value = static_cast<double>(index->value);
+      return base;
+    }
+    base.definition = find_local(frame, step.name);
+  }
+  if (base.definition == nullptr) {
+    if (const Symbol* symbol = frame->scope->find(step.name)) {
+      return element(*symbol, step, frame);
+    }
+    base.value = built_in(step, frame);
+  }
+  return base;
+}
+
+Evaluator::Base Evaluator::element(const Symbol& symbol, const ast::Step& step, const Frame* frame) {
+  const bool moves =
+      symbol.kind == SymbolKind::Particle || symbol.kind == SymbolKind::Constraint || symbol.kind == SymbolKind::Part;
+  if (moves && refuse_unless_structural(step.name, describe(symbol.kind), step.span)) {
     return {};
   }
   if (symbol.kind == SymbolKind::Constraint) {
-    context_.report.report(Finding::NotAValue, part.span, part.name, "a constraint", "");
+    context_.report.report(Finding::NotAValue, step.span, step.name, "a constraint", "");
     return {};
   }
-  if (part.indices.size() != symbol.index_count) {
-    context_.report.report(Finding::IndexCount, part.span, part.name, indices_taken(symbol.index_count),
-                           part.indices.empty() ? "none" : fmt::to_string(part.indices.size()));
+  if (step.indices.size() != symbol.index_count) {
+    context_.report.report(Finding::IndexCount, step.span, step.name, indices_taken(symbol.index_count),
+                           step.indices.empty() ? "none" : fmt::to_string(step.indices.size()));
     return {};
   }
-  const std::optional<Indices> at = indices(part.indices, frame);
+  const std::optional<Indices> at = indices(step.indices, frame);
   if (!at) {
     return {};
   }
   const auto found = symbol.elements.find(*at);
   if (found == symbol.elements.end()) {
     // The dimension is found before anything but constants is entered.
-    if (symbol.kind != SymbolKind::Constant && refuse_unless_structural(part.name, describe(symbol.kind), part.span)) {
+    if (symbol.kind != SymbolKind::Constant && refuse_unless_structural(step.name, describe(symbol.kind), step.span)) {
       return {};
     }
-    report_not_declared(symbol, part, *at, frame);
+    report_not_declared(symbol, step, *at, frame);
     return {};
   }
-  if (is_definition) {
-    return {value_of(context_.symbols.definitions[found->second.position], part.span), nullptr};
+  Base base;
+  if (symbol.kind == SymbolKind::Part) {
+    base.part = &context_.symbols.scopes[found->second.position];
+  } else if (symbol.kind == SymbolKind::Particle) {
+    base.particle = &context_.symbols.particles[found->second.position];
+  } else {
+    base.definition = &context_.symbols.definitions[found->second.position];
   }
-  return {Value(), &context_.symbols.particles[found->second.position]};
+  return base;
 }
 
-Value Evaluator::built_in(const ast::Part& part, const Frame* frame) {
-  if (part.indices.empty()) {
-    if (part.name == "pi") {
+Value Evaluator::built_in(const ast::Step& step, const Frame* frame) {
+  if (step.indices.empty()) {
+    if (step.name == "pi") {
       return std::numbers::pi;
     }
-    if (part.name == "t") {
-      const bool refused = refuse_unless_structural(part.name, "the time", part.span);
-      return refused ? Value() : Value(context_.arena.leaf(ExpressionKind::Time, 0, part.span));
+    if (step.name == "t") {
+      const bool refused = refuse_unless_structural(step.name, "the time", step.span);
+      return refused ? Value() : Value(context_.arena.leaf(ExpressionKind::Time, 0, step.span));
     }
-    if (const std::optional<NumberedVariable> variable = find_numbered_variable(part.name)) {
-      return numbered(*variable, part, frame);
+    if (const std::optional<NumberedVariable> variable = find_numbered_variable(step.name)) {
+      return numbered(*variable, step, frame);
     }
   }
-  report_unknown(part, frame);
+  report_unknown(step, frame);
   return {};
 }
 
-Value Evaluator::numbered(const NumberedVariable& variable, const ast::Part& part, const Frame* frame) {
+Value Evaluator::numbered(const NumberedVariable& variable, const ast::Step& step, const Frame* frame) {
   const std::string_view is = variable.member.is_velocity ? "a speed" : "a coordinate";
-  if (refuse_unless_structural(part.name, is, part.span)) {
+  if (refuse_unless_structural(step.name, is, step.span)) {
     return {};
   }
   const auto found = context_.symbols.numbered_particles.find(variable.particle);
-  if (found == context_.symbols.numbered_particles.end() ||
+  if (frame->scope->module != nullptr || found == context_.symbols.numbered_particles.end() ||
       static_cast<int>(*variable.member.axis) >= context_.dimension) {
-    report_unknown(part, frame);
+    report_unknown(step, frame);
     return {};
   }
-  return motion(context_.symbols.particles[found->second.position], variable.member, part.span);
+  return motion(context_.symbols.particles[found->second.position], variable.member, step.span);
 }
 
-Value Evaluator::member(const Particle& particle, const ast::Part& part, Span span) {
-  const std::optional<Member> member = find_member(part.name);
+std::optional<Member> Evaluator::member_of(const std::string& owner, const ast::Step& step) {
+  const std::optional<Member> member = find_member(step.name);
   if (!member || (member->axis && static_cast<int>(*member->axis) >= context_.dimension)) {
     const std::string more = member ? fmt::format(" in dimension {}", context_.dimension)
-                                    : suggestion(part.name, member_names(context_.dimension));
-    context_.report.report(Finding::UnknownMember, part.span, particle.name, part.name, more);
-    return {};
+                                    : suggestion(step.name, member_names(context_.dimension));
+    context_.report.report(Finding::UnknownMember, step.span, owner, step.name, more);
+    return std::nullopt;
   }
-  return motion(particle, *member, span);
+  return member;
 }
 
-Value Evaluator::component(const Value& value, const std::string& name, const ast::Part& part) {
+Value Evaluator::member(const Particle& particle, const ast::Step& step, Span span) {
+  const std::optional<Member> member = member_of(particle.name, step);
+  return member ? motion(particle, *member, span) : Value();
+}
+
+Value Evaluator::member(Definition& point, const ast::Step& step, Span span) {
+  const std::optional<Member> member = member_of(point.name, step);
+  const Value position = value_of(point, span);
+  if (!member || position.is_nothing()) {
+    return {};
+  }
+  const Value whole = member->is_velocity ? algebra_.rate(position, span) : position;
+  return member->axis ? Value(whole[*member->axis]) : whole;
+}
+
+Value Evaluator::component(const Value& value, const std::string& name, const ast::Step& step) {
   if (value.is_nothing()) {
     return {};
   }
-  const std::optional<std::size_t> axis = find_axis(part.name);
+  const std::optional<std::size_t> axis = find_axis(step.name);
   if (value.is_scalar() || !axis || *axis >= value.size()) {
-    context_.report.report(Finding::UnknownMember, part.span, name, part.name,
+    context_.report.report(Finding::UnknownMember, step.span, name, step.name,
                            fmt::format(": it is {}", describe(value)));
     return {};
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <string>
 #include <tuple>
 
 #include "diagnostics/diagnostic.hpp"
@@ -14,8 +15,30 @@ inline bool covers(Span outer, Span inner) {
   return outer.file == inner.file && outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
+/// How a finding came about: a place that led to it, and what led to that place.
+struct Trace {
+  Span span;
+  std::string message;
+  const Trace* outer = nullptr;
+};
+
 class Reporter {
  public:
+  /// While it lives, findings have the notes of `trace`.
+  class Within {
+   public:
+    Within(Reporter& reporter, const Trace& trace) : reporter_(reporter), before_(reporter.trace_) {
+      reporter.trace_ = &trace;
+    }
+    ~Within() { reporter_.trace_ = before_; }
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+
+   private:
+    Reporter& reporter_;
+    const Trace* before_;
+  };
+
   explicit Reporter(Diagnostics& diagnostics)
       : diagnostics_(diagnostics),
         errors_before_(diagnostics.errors()),
@@ -27,7 +50,13 @@ class Reporter {
     if (!seen_.emplace(finding, span.file, span.begin, span.end).second) {
       return repeated_ = Diagnostic{finding, severity_of(finding), span, {}, {}};
     }
-    return diagnostics_.report(finding, span, arguments...);
+    Diagnostic& diagnostic = diagnostics_.report(finding, span, arguments...);
+    for (const Trace* trace = trace_; trace != nullptr; trace = trace->outer) {
+      if (!trace->message.empty()) {
+        diagnostic.note(trace->span, trace->message);
+      }
+    }
+    return diagnostic;
   }
 
   /// Whether part of what `span` covers could not be read.
@@ -50,6 +79,7 @@ class Reporter {
   std::size_t errors_before_;
   std::ptrdiff_t before_;  ///< findings, of all kinds, that others had made
   bool names_are_lost_ = false;
+  const Trace* trace_ = nullptr;
   std::set<std::tuple<Finding, std::uint32_t, std::uint32_t, std::uint32_t>> seen_;
   Diagnostic repeated_;  ///< takes the notes of a report that is not passed on
 };

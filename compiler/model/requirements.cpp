@@ -9,7 +9,8 @@
 #include "model/system_builder.hpp"
 
 namespace mbcc::model {
-Value SystemBuilder::expect_vector(const Operand& operand, std::string_view what) {
+
+Value Algebra::expect_vector(const Operand& operand, std::string_view what) {
   const Value& value = operand.value;
   const auto dimension = static_cast<std::size_t>(context_.dimension);
   if (value.is_nothing() || value.size() == dimension) {
@@ -26,7 +27,7 @@ Value SystemBuilder::expect_vector(const Operand& operand, std::string_view what
   return {};
 }
 
-bool SystemBuilder::expect_independent(const Operand& operand, Quantities unwanted, std::string_view what) {
+bool Algebra::expect_independent(const Operand& operand, Quantities unwanted, std::string_view what) {
   for (const Scalar& component : operand.value) {
     if (!overlap(context_.arena.quantities(component), unwanted)) {
       continue;

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "model/compact.hpp"
-#include "model/imports.hpp"
+#include "model/modules.hpp"
 #include "model/system_builder.hpp"
 #include "model/warnings.hpp"
 
@@ -42,7 +42,15 @@ void check_given_once(const std::vector<const ast::Statement*>& statements, Cont
   }
 }
 
-System build(const std::vector<const ast::Statement*>& statements, Context& context) {
+void check_modules(const std::vector<const ast::Statement*>& statements, Context& context) {
+  for (const ast::Statement* statement : statements) {
+    if (const auto* module = std::get_if<ast::Module>(&statement->node)) {
+      check_given_once(statements_of(*module), context);
+    }
+  }
+}
+
+System build(const Statements& statements, Context& context) {
   System system;
   system.name = stem(context.sources[0].name());
   Evaluator evaluator(context);
@@ -71,10 +79,12 @@ System build(const std::vector<const ast::Statement*>& statements, Context& cont
 std::optional<model::System> resolve(const ast::ModelFile& file, const Sources& sources, const Importer& import,
                                      Diagnostics& diagnostics) {
   Context context(sources, diagnostics);
-  const Statements statements = gather(file, sources, import, context.report);
-  check_given_once(statements.all, context);
+  Statements statements = gather(file, sources, import, context.report);
   warn_of_powers(statements.all, context);
-  System system = build(statements.all, context);
+  check_modules(statements.all, context);
+  let_module_stand_alone(statements);
+  check_given_once(statements.all, context);
+  System system = build(statements, context);
   if (context.report.found_errors()) {
     return std::nullopt;
   }

@@ -21,10 +21,18 @@ std::string_view describe(SymbolKind kind) {
       return "a parameter";
     case SymbolKind::Let:
       return "a `let`";
+    case SymbolKind::Formal:
+      return "a parameter of its module";
+    case SymbolKind::Point:
+      return "a point";
+    case SymbolKind::Port:
+      return "a port";
     case SymbolKind::Particle:
       return "a particle";
     case SymbolKind::Constraint:
       return "a constraint";
+    case SymbolKind::Part:
+      return "a part";
   }
   return {};
 }
@@ -33,22 +41,27 @@ std::string describe(const Particle& particle) {
   return particle.number > 0 ? fmt::format("particle {}", particle.number) : fmt::format("`{}`", particle.name);
 }
 
-Symbol* Symbols::find(std::string_view name) {
-  const auto found = table.find(name);
+Symbol* Scope::find(std::string_view symbol) {
+  const auto found = table.find(symbol);
+  return found == table.end() ? nullptr : &found->second;
+}
+
+const Symbol* Scope::find(std::string_view symbol) const {
+  const auto found = table.find(symbol);
   return found == table.end() ? nullptr : &found->second;
 }
 
 const Frame* find_index(const Frame* frame, std::string_view name) {
-  while (frame != nullptr && frame->index != name) {
+  while (is_in_loop(frame) && frame->index != name) {
     frame = frame->outer;
   }
-  return frame;
+  return is_in_loop(frame) ? frame : nullptr;
 }
 
 Definition* find_local(const Frame* frame, std::string_view name) {
   for (; frame != nullptr; frame = frame->outer) {
     for (Definition* local : frame->locals) {
-      if (local->name == name) {
+      if (local->declarator->name == name) {
         return local;
       }
     }

@@ -31,6 +31,7 @@ enum class ExpressionKind : std::uint8_t {
   Speed,       ///< `index` is a SpeedId
   Parameter,   ///< `index` is a ParameterId
   Apply,       ///< `op` applied to the first arity(op) `operands`
+  Share,       ///< of the speed `index` in operands[0], a rate: its derivative by that speed
   Rate,        ///< total time derivative along the motion of operands[0]
 };
 
@@ -45,9 +46,9 @@ struct Expression {
 };
 
 struct Coordinate {
-  std::string name;  ///< "x1", "bob.x", "p[3].x"
-  SpeedId rate;      ///< the speed that is this coordinate's time derivative
-  ExpressionId initial;
+  std::string name;      ///< "x1", "bob.x", "p[3].x"
+  SpeedId rate;          ///< the speed that is this coordinate's time derivative
+  ExpressionId initial;  ///< in which coordinates and speeds stand for their starts
   Span span;
 };
 
@@ -72,7 +73,8 @@ struct Force {
   Span span;
 };
 
-/// The loop (by its statement's span) and step that made a constraint, so that equal ones can be found again.
+/// The statement in a loop or module that made a constraint, and the passes of the loops around it and around its part:
+/// so that equal ones can be found again.
 struct Template {
   Span statement;
   std::vector<long> indices;
@@ -118,6 +120,8 @@ struct System {
   std::vector<Place> places;
   std::vector<CoordinateId> declared_coordinates;  ///< in order of declaration: Note [storage order]
   std::vector<SpeedId> declared_speeds;
+  /// Coordinates by index, then speeds behind them: every start comes after those that its expression needs.
+  std::vector<std::size_t> start_order;
   std::vector<Parameter> parameters;
   std::vector<Force> forces;
   std::vector<Constraint> constraints;

@@ -16,6 +16,7 @@ void SystemBuilder::add_parameters() {
 }
 
 void SystemBuilder::add(const Instance& instance) {
+  const Reporter::Within within(context_.report, instance.frame->scope->trace);
   std::visit([&](const auto& node) { add(node, instance); }, instance.statement->node);
 }
 

@@ -24,12 +24,14 @@ class SystemBuilder {
   // particles.cpp
   using Fields = std::map<std::string_view, const ast::Field*>;
   void add_motion(const Particle& particle, const Fields& fields);
-  Value start_of(const Particle& particle, const ast::Field* field, std::string_view what);
+  Value start_of(const Particle& particle, const ast::Field* field, std::string_view what, Quantities unwanted);
+  void order_starts();  // starts.cpp
   void report_missing(const Particle& particle, std::string_view field);
   ExpressionId mass_of(const Particle& particle, const ast::Field* field);
 
   // forces.cpp
   void add_force(const Particle& particle, const ast::Expression& expression, const Frame* frame);
+  void add_force(Definition& point, const ast::ForceOn& force, const Frame* frame);
   void add_force(std::string_view kind, const Particle& particle, std::size_t axis, const Scalar& value, Span span);
   void add(const ast::ForceOn& force, const Instance& instance);
   void add(const ast::Gravity& gravity, const Instance& instance);
@@ -45,18 +47,20 @@ class SystemBuilder {
 
   // integration.cpp
   void add(const ast::Integrate& integrate, const Instance& instance);
-  void set(const ast::Field& field);
-  void set_method(const ast::Expression& value);
+  void set(const ast::Field& field, const Frame* frame, Integration& integration);
+  void set_method(const ast::Expression& value, Integration& integration);
 
   void add(const ast::System& title, const Instance& instance);
   template <class Declaration>
   void add(const Declaration& /*known by its name*/, const Instance& /*instance*/) {}
 
   // requirements.cpp
-  /// As many components as the dimension; the number 0 stands for zeros. Nothing, with a finding, for other values.
-  Value expect_vector(const Operand& operand, std::string_view what);
-  /// False, with a finding, if the value depends on one of `unwanted`.
-  bool expect_independent(const Operand& operand, Quantities unwanted, std::string_view what);
+  Value expect_vector(const Operand& operand, std::string_view what) {
+    return evaluator_.algebra().expect_vector(operand, what);
+  }
+  bool expect_independent(const Operand& operand, Quantities unwanted, std::string_view what) {
+    return evaluator_.algebra().expect_independent(operand, unwanted, what);
+  }
   /// The fields of a block by name, without those that are unknown or given twice.
   Fields fields_of(std::string_view block, const std::vector<ast::Field>& fields,
                    const std::vector<std::string_view>& known);
@@ -64,7 +68,6 @@ class SystemBuilder {
   Evaluator& evaluator_;
   Context& context_;
   System& system_;
-  std::size_t constraints_so_far_ = 0;
   std::set<std::string> motion_columns_ = {"t"};
   std::map<std::string, Span> output_columns_;
 };

@@ -6,45 +6,49 @@
 
 namespace mbcc::model {
 
-const Particle* Evaluator::particle(const ast::Expression& target, const Frame* frame) {
+Evaluator::Target Evaluator::target(const ast::Expression& target, const Frame* frame) {
   const auto* reference = std::get_if<Reference>(&target.node);
-  const ast::Part* part = reference != nullptr && reference->parts.size() == 1 ? &reference->parts[0] : nullptr;
-  const bool is_index = part != nullptr && part->indices.empty() && find_index(frame, part->name) != nullptr;
+  const ast::Step* step = reference != nullptr && reference->steps.size() == 1 ? &reference->steps[0] : nullptr;
+  const bool is_index = step != nullptr && step->indices.empty() && find_index(frame, step->name) != nullptr;
   if (is_index || std::holds_alternative<ast::Number>(target.node)) {
     return numbered_target(target, frame);
   }
-  if (part == nullptr) {
+  const Symbol* symbol = step != nullptr ? frame->scope->find(step->name) : nullptr;
+  if (symbol != nullptr && symbol->kind == SymbolKind::Constraint) {
+    context_.report.report(Finding::ForceTarget, target.span, fmt::format("`{}` is a constraint", step->name));
+    return {};
+  }
+  const Base found = base(*reference, frame);
+  if (found.particle != nullptr && found.steps == reference->steps.size()) {
+    return {found.particle, nullptr};
+  }
+  if (found.definition != nullptr && is_position(found.definition->kind) && found.steps == reference->steps.size()) {
+    return {nullptr, found.definition};
+  }
+  const bool is_whole = found.definition != nullptr && found.steps == reference->steps.size();
+  if (found.definition != nullptr || found.particle != nullptr || found.part != nullptr) {
+    const std::string_view is = found.part != nullptr ? describe(SymbolKind::Part)
+                                : is_whole            ? describe(found.definition->kind)
+                                                      : "none";
     context_.report.report(Finding::ForceTarget, target.span,
-                           fmt::format("`{}` is none", context_.sources.text(target.span)));
-    return nullptr;
+                           fmt::format("`{}` is {}", context_.sources.text(target.span), is));
   }
-  const Symbol* symbol = context_.symbols.find(part->name);
-  const bool is_local = find_local(frame, part->name) != nullptr;
-  if (is_local || (symbol != nullptr && symbol->kind != SymbolKind::Particle)) {
-    const std::string_view is = describe(is_local ? SymbolKind::Let : symbol->kind);
-    context_.report.report(Finding::ForceTarget, target.span, fmt::format("`{}` is {}", part->name, is));
-    return nullptr;
-  }
-  if (symbol == nullptr) {
-    report_unknown(*part, frame);
-    return nullptr;
-  }
-  return element(*symbol, *part, frame).particle;
+  return {};
 }
 
-const Particle* Evaluator::numbered_target(const ast::Expression& target, const Frame* frame) {
+Evaluator::Target Evaluator::numbered_target(const ast::Expression& target, const Frame* frame) {
   const std::optional<long> number = whole_number(target, frame, "the number of a particle");
   if (!number) {
-    return nullptr;
+    return {};
   }
   const auto found = context_.symbols.numbered_particles.find(*number);
-  if (found == context_.symbols.numbered_particles.end()) {
+  if (found == context_.symbols.numbered_particles.end() || frame->scope->module != nullptr) {
     if (context_.symbols.numbers_complete) {
       context_.report.report(Finding::ForceTarget, target.span, fmt::format("there is no particle {}", *number));
     }
-    return nullptr;
+    return {};
   }
-  return &context_.symbols.particles[found->second.position];
+  return {&context_.symbols.particles[found->second.position], nullptr};
 }
 
 }  // namespace mbcc::model

@@ -20,8 +20,8 @@ struct Children {
 
   void operator()(const ast::Number& /*number*/) const {}
   void operator()(const ast::Reference& reference) const {
-    for (const ast::Part& part : reference.parts) {
-      append(all, part.indices);
+    for (const ast::Step& step : reference.steps) {
+      append(all, step.indices);
     }
   }
   void operator()(const ast::Unary& unary) const { append(all, unary.operand); }
@@ -43,6 +43,14 @@ void collect(const std::vector<ast::Field>& fields, Expressions& all) {
   }
 }
 
+void collect(const ast::Statement& statement, Expressions& all);
+
+void collect(const std::vector<ast::Statement>& statements, Expressions& all) {
+  for (const ast::Statement& statement : statements) {
+    collect(statement, all);
+  }
+}
+
 void collect(const ast::Statement& statement, Expressions& all) {
   const auto of_node = [&](const auto& node) {
     using Node = std::decay_t<decltype(node)>;
@@ -50,13 +58,21 @@ void collect(const ast::Statement& statement, Expressions& all) {
       collect(node.fields, all);
     } else if constexpr (std::is_same_v<Node, ast::Constraint>) {
       append(all, node.sides);
+    } else if constexpr (std::is_same_v<Node, ast::Module>) {
+      for (const ast::Formal& formal : node.formals) {
+        if (formal.value) {
+          all.push_back(&*formal.value);
+        }
+      }
+      collect(node.body, all);
+    } else if constexpr (std::is_same_v<Node, ast::Part>) {
+      collect(node.arguments, all);
+      collect(node.ports, all);
     } else if constexpr (std::is_same_v<Node, ast::For>) {
       append(all, node.bounds);
-      for (const ast::Statement& inner : node.body) {
-        collect(inner, all);
-      }
+      collect(node.body, all);
     } else if constexpr (!std::is_same_v<Node, ast::System> && !std::is_same_v<Node, ast::Import> &&
-                         !std::is_same_v<Node, ast::Unsupported>) {
+                         !std::is_same_v<Node, ast::Port> && !std::is_same_v<Node, ast::Unsupported>) {
       all.push_back(&node.value);
     }
   };
@@ -77,14 +93,28 @@ void warn_of_power(const ast::Expression& expression, Context& context) {
   }
 }
 
+/// How a message calls it; empty for what need not be used. A module's names are there for those who use the module.
+std::string_view kind_to_warn_of(const Definition& definition) {
+  switch (definition.kind) {
+    case SymbolKind::Parameter:
+    case SymbolKind::Formal:
+      return "parameter";
+    case SymbolKind::Port:
+      return "port";
+    case SymbolKind::Let:
+      return definition.frame->scope->is_part() && !is_in_loop(definition.frame) ? "" : "`let`";
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 void warn_of_unused(Context& context) {
   for (const Definition& definition : context.symbols.definitions) {
-    const bool is_parameter = definition.kind == SymbolKind::Parameter;
-    if (definition.kind != SymbolKind::Constant && context.symbols.used.count(definition.declarator) == 0) {
-      context.report.report(Finding::Unused, definition.declarator->span, is_parameter ? "parameter" : "`let`",
-                            definition.declarator->name);
+    const std::string_view kind = kind_to_warn_of(definition);
+    if (!kind.empty() && context.symbols.used.count(definition.declarator) == 0) {
+      context.report.report(Finding::Unused, definition.declarator->span, kind, definition.declarator->name);
     }
   }
 }

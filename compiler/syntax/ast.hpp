@@ -20,7 +20,7 @@ struct Number {
 };
 
 /// One step of a path: `p[i, j]` in `p[i, j].position`.
-struct Part {
+struct Step {
   std::string name;
   Span span;
   std::vector<Expression> indices;
@@ -28,7 +28,7 @@ struct Part {
 
 /// A dotted path: `x1`, `bob.x`, `p[i].position`, `upper.bob.x`.
 struct Reference {
-  std::vector<Part> parts;
+  std::vector<Step> steps;
 };
 
 struct Unary {
@@ -152,6 +152,29 @@ struct Import {
 struct Integrate {
   std::vector<Field> fields;
 };
+/// A named position. Directly in a module it is a port, too, and the expression its default.
+struct Point {
+  Declarator name;
+  Expression value;
+};
+/// A named position that whoever uses the module has to give.
+struct Port {
+  Declarator name;
+};
+/// `part upper = Pendulum(L = 0.5) { pivot = (0, 0, 0) }`: a system as one of another.
+struct Part {
+  Declarator name;
+  std::string module;
+  Span module_span;
+  std::vector<Field> arguments;
+  std::vector<Field> ports;
+};
+/// A parameter of a module.
+struct Formal {
+  Declarator name;
+  std::optional<Expression> value;  ///< its default
+};
+struct Module;
 struct For;
 
 /// A statement of the language's later steps, recognised so that it is refused by name: `body`, `coordinate`, ...
@@ -160,8 +183,14 @@ struct Unsupported {
 };
 
 using StatementNode = std::variant<System, Dimension, Particle, Constraint, Let, Constant, Parameter, Output, ForceOn,
-                                   Gravity, Import, Integrate, For, Unsupported>;
+                                   Gravity, Import, Integrate, Module, Part, Point, Port, For, Unsupported>;
 struct Statement;
+
+struct Module {
+  Declarator name;
+  std::vector<Formal> formals;
+  std::vector<Statement> body;
+};
 
 struct For {
   std::string index;

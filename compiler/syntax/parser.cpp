@@ -23,6 +23,8 @@ const auto comma = token(TokenKind::Comma, "an operator or `,`");
 const auto paren_left = token(TokenKind::ParenLeft);
 const auto paren_right = token(TokenKind::ParenRight, "an operator or `)`");
 const auto list_end = token(TokenKind::ParenRight, "an operator, `,` or `)`");
+const auto no_names = token(TokenKind::ParenRight, "a name or `)`");
+const auto names_end = token(TokenKind::ParenRight, "`,` or `)`");
 const auto bracket_left = token(TokenKind::BracketLeft);
 const auto bracket_right = token(TokenKind::BracketRight, "an operator, `,` or `]`");
 const auto brace_left = token(TokenKind::BraceLeft);
@@ -51,6 +53,7 @@ const auto field_name = token_where(names_field, expected::field_or_end);
 const auto anything = token_where(has_no_meaning_here, "a token");
 const auto end = &token_where(ends_statement, "the end of the statement");
 const auto end_of_value = &token_where(ends_statement, "an operator or the end of the statement");
+const auto end_of_part = &token_where(ends_statement, "`{` or the end of the statement");
 const auto end_of_fields = &token_where(ends_fields, expected::field_or_end);
 
 /// One or several, with commas between them.
@@ -75,8 +78,8 @@ const x3::rule<class comparison_id, ast::Expression> comparison("an expression")
 const x3::rule<class call_id, ast::Call> call("a function");
 const x3::rule<class parentheses_id, std::vector<ast::Expression>> parentheses("`(`");
 const x3::rule<class reference_id, ast::Reference> reference("a name");
-const x3::rule<class part_id, ast::Part> part("a name");
-const x3::rule<class member_id, ast::Part> member("a name");
+const x3::rule<class step_id, ast::Step> step("a name");
+const x3::rule<class member_id, ast::Step> member("a name");
 const x3::rule<class indices_id, std::vector<ast::Expression>> indices("`[`");
 const x3::rule<class range_id, std::vector<ast::Expression>> range("an expression");
 const x3::rule<class signs_id, std::vector<Token>> signs("a sign");
@@ -102,16 +105,16 @@ const auto comparison_def = expression[take] > (comparison_sign > expression)[co
 const auto call_def = (name[text_into(&ast::Call::function, &ast::Call::function_span)] >> paren_left) >
                       nested(list(expression[append_to(&ast::Call::arguments)])) > list_end;
 const auto parentheses_def = paren_left > nested(list(expression[append])) > list_end;
-const auto reference_def = part[append_to(&ast::Reference::parts)] >>
-                           *(token(TokenKind::Dot) > member[append_to(&ast::Reference::parts)]);
-const auto part_def = placed(name[text_into(&ast::Part::name)] >> -indices[into(&ast::Part::indices)]);
-const auto member_def = placed(word[text_into(&ast::Part::name)] >> -indices[into(&ast::Part::indices)]);
+const auto reference_def = step[append_to(&ast::Reference::steps)] >>
+                           *(token(TokenKind::Dot) > member[append_to(&ast::Reference::steps)]);
+const auto step_def = placed(name[text_into(&ast::Step::name)] >> -indices[into(&ast::Step::indices)]);
+const auto member_def = placed(word[text_into(&ast::Step::name)] >> -indices[into(&ast::Step::indices)]);
 const auto indices_def = bracket_left > nested(list(expression[append])) > bracket_right;
 const auto range_def = expression[append] > token(TokenKind::DotDot, "an operator or `..`") > expression[append];
 const auto signs_def = +sign[append];
 
 BOOST_SPIRIT_DEFINE(expression, term, factor, power, exponent, operand, number, atom, sum, conditional, comparison,
-                    call, parentheses, reference, part, member, indices, range, signs)
+                    call, parentheses, reference, step, member, indices, range, signs)
 
 // -- statements --
 
@@ -133,12 +136,21 @@ const x3::rule<class target_id, ast::Expression> target("a particle");
 const x3::rule<class gravity_id, ast::Gravity> gravity("a statement");
 const x3::rule<class import_file_id, ast::Import> import_file("a statement");
 const x3::rule<class integrate_id, ast::Integrate> integrate("a statement");
+const x3::rule<class module_definition_id, ast::Module> module_definition("a statement");
+const x3::rule<class formals_id, std::vector<ast::Formal>> formals("`(`");
+const x3::rule<class formal_id, ast::Formal> formal("a name");
+const x3::rule<class part_id, ast::Part> part("a statement");
+const x3::rule<class givens_id, std::vector<ast::Field>> givens("`(`");
+const x3::rule<class given_id, ast::Field> given("a name");
+const x3::rule<class point_id, ast::Point> point("a statement");
+const x3::rule<class port_id, ast::Port> port("a statement");
 const x3::rule<class for_loop_id, ast::For> for_loop("a statement");
 const x3::rule<class unsupported_id, ast::Unsupported> unsupported("a statement");
 const x3::rule<class group_id> group("`{`");
 const x3::rule<class block_id, std::vector<ast::Field>> block("`{`");
 const x3::rule<class field_id, ast::Field> field("a field");
 const x3::rule<class declared_id, ast::Declarator> declared(expected::name.data());
+const x3::rule<class plain_name_id, ast::Declarator> plain_name(expected::name.data());
 
 const auto model_def = statements[append_statements] >>
                        *(token(TokenKind::BraceRight)[unmatched_brace] >> statements[append_statements]) >>
@@ -147,7 +159,8 @@ const auto statements_def = -whole_statement[append_finished] >> *(separator >> 
 const auto whole_statement_def = recovering(placed(!end >> x3::expect[statement][into(&ast::Statement::node)]));
 const auto statement_def = system[take] | dimension[take] | particle[take] | constraint[take] | let[take] |
                            constant[take] | parameter[take] | output[take] | force_on[take] | gravity[take] |
-                           import_file[take] | integrate[take] | for_loop[take] | unsupported[take];
+                           import_file[take] | integrate[take] | module_definition[take] | part[take] | point[take] |
+                           port[take] | for_loop[take] | unsupported[take];
 
 const auto system_def = token(TokenKind::System) > name[text_into(&ast::System::name, &ast::System::name_span)] > end;
 const auto dimension_def = token(TokenKind::Dimension) > expression[into(&ast::Dimension::value)] > end_of_value;
@@ -173,6 +186,21 @@ const auto target_def = placed(reference[take_node] | natural[take_number]);
 const auto gravity_def = token(TokenKind::Gravity) > expression[into(&ast::Gravity::value)] > end_of_value;
 const auto import_file_def = token(TokenKind::Import) > token(TokenKind::Text, "a file in quotes")[take_path] > end;
 const auto integrate_def = token(TokenKind::Integrate) > block[into(&ast::Integrate::fields)] > end;
+const auto module_definition_def = token(TokenKind::Module) > plain_name[into(&ast::Module::name)] >
+                                   formals[into(&ast::Module::formals)] > brace_left >
+                                   nested(statements[into(&ast::Module::body)]) >
+                                   token(TokenKind::BraceRight, "a statement or `}`") > end;
+const auto formals_def = paren_left > (no_names | (list(formal[append]) > names_end));
+const auto formal_def = plain_name[into(&ast::Formal::name)] >> -(equals > expression[into(&ast::Formal::value)]);
+const auto part_def = token(TokenKind::Part) > declared[into(&ast::Part::name)] > equals >
+                      name[text_into(&ast::Part::module, &ast::Part::module_span)] >
+                      givens[into(&ast::Part::arguments)] > -block[into(&ast::Part::ports)] > end_of_part;
+const auto givens_def = paren_left > (no_names | (list(given[append]) > list_end));
+const auto given_def =
+    name[text_into(&ast::Field::name, &ast::Field::name_span)] > equals > expression[into(&ast::Field::value)];
+const auto point_def = token(TokenKind::Point) > declared[into(&ast::Point::name)] > equals >
+                       expression[into(&ast::Point::value)] > end_of_value;
+const auto port_def = token(TokenKind::Port) > plain_name[into(&ast::Port::name)] > end;
 const auto for_loop_def = token(TokenKind::For) > name[text_into(&ast::For::index, &ast::For::index_span)] > in >
                           range[into(&ast::For::bounds)] > token(TokenKind::BraceLeft, "an operator or `{`") >
                           nested(statements[into(&ast::For::body)]) >
@@ -187,9 +215,12 @@ const auto field_def =
                equals > expression[into(&ast::Field::value)] > end_of_value);
 const auto declared_def = placed(name[text_into(&ast::Declarator::name)] >> -indices[into(&ast::Declarator::indices)]);
 
+const auto plain_name_def = placed(name[text_into(&ast::Declarator::name)]);
+
 BOOST_SPIRIT_DEFINE(model, statements, whole_statement, statement, system, dimension, particle, particle_name,
                     constraint, let, constant, parameter, output, force_on, target, gravity, import_file, integrate,
-                    for_loop, unsupported, group, block, field, declared)
+                    module_definition, formals, formal, part, givens, given, point, port, for_loop, unsupported, group,
+                    block, field, declared, plain_name)
 
 }  // namespace
 }  // namespace mbcc::grammar

@@ -59,8 +59,8 @@ struct ExpressionText {
   std::string operator()(const ast::Number& node) const { return fmt::format("{}", node.value); }
   std::string operator()(const ast::Reference& node) const {
     std::string path;
-    for (const ast::Part& part : node.parts) {
-      path += fmt::format("{}{}{}", path.empty() ? "" : ".", part.name, indices_of(part.indices));
+    for (const ast::Step& step : node.steps) {
+      path += fmt::format("{}{}{}", path.empty() ? "" : ".", step.name, indices_of(step.indices));
     }
     return path;
   }
@@ -123,16 +123,31 @@ class StatementText {
   std::string operator()(const ast::Gravity& node) { return fmt::format("gravity {}\n", text_of(node.value)); }
   std::string operator()(const ast::Import& node) { return fmt::format("import \"{}\"\n", node.path); }
   std::string operator()(const ast::Integrate& node) { return "integrate\n" + fields(node.fields); }
+  std::string operator()(const ast::Module& node) {
+    std::string formals;
+    for (const ast::Formal& formal : node.formals) {
+      formals += fmt::format(" {}{}", text_of(formal.name), formal.value ? " = " + text_of(*formal.value) : "");
+    }
+    return fmt::format("module {}{}\n", text_of(node.name), formals) + body(node.body);
+  }
+  std::string operator()(const ast::Part& node) {
+    std::string text = fmt::format("part {} = {}\n", text_of(node.name), node.module) + fields(node.arguments);
+    return text + (node.ports.empty() ? "" : std::string(2 * depth_ + 2, ' ') + "ports\n") + fields(node.ports);
+  }
+  std::string operator()(const ast::Point& node) { return definition("point", node.name, node.value); }
+  std::string operator()(const ast::Port& node) { return fmt::format("port {}\n", text_of(node.name)); }
   std::string operator()(const ast::For& node) {
-    std::string text = fmt::format("for {} in {}\n", node.index, list_of(node.bounds, " .. "));
-    ++depth_;
-    text += statements(node.body);
-    --depth_;
-    return text;
+    return fmt::format("for {} in {}\n", node.index, list_of(node.bounds, " .. ")) + body(node.body);
   }
   std::string operator()(const ast::Unsupported& node) { return fmt::format("unsupported {}\n", node.keyword); }
 
  private:
+  std::string body(const std::vector<ast::Statement>& all) {
+    ++depth_;
+    std::string text = statements(all);
+    --depth_;
+    return text;
+  }
   static std::string definition(std::string_view keyword, const ast::Declarator& name, const ast::Expression& value) {
     return fmt::format("{} {} = {}\n", keyword, text_of(name), text_of(value));
   }

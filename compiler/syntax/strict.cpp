@@ -141,6 +141,7 @@ class StrictCheck {
   }
   void operator()(const ast::ForceOn& statement) { force(statement.value); }
   void operator()(const ast::For& loop) { statements(loop.body); }
+  void operator()(const ast::Module& module) { statements(module.body); }
   void operator()(const ast::Constraint& constraint) {
     if (constraint.sides.size() > 1) {
       diagnostics_.report(Finding::StrictEquation, first_token(constraint.sides[0].span.end)->span);

@@ -22,8 +22,8 @@ struct TallestChild {
   std::uint32_t operator()(const ast::Number&) const { return 0; }
   std::uint32_t operator()(const ast::Reference& node) const {
     std::uint32_t height = 0;
-    for (const ast::Part& part : node.parts) {
-      height = std::max(height, tallest(part.indices));
+    for (const ast::Step& step : node.steps) {
+      height = std::max(height, tallest(step.indices));
     }
     return height;
   }
