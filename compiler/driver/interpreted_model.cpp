@@ -203,6 +203,13 @@ void InterpretedModel::solve(const program::IslandSolve& island, const State& y,
   for (std::size_t j = 0; j < speeds.size(); ++j) {
     rate[coordinates_ + speeds[j]] = arrays.free[j] + arrays.added[j];
   }
+  if (program_.couple.sections.front().has_stores()) {
+    std::vector<double> coupled(speed_names_.size());
+    couple(y, rate, coupled);
+    for (const std::size_t speed : speeds) {
+      rate[coordinates_ + speed] = coupled[speed];
+    }
+  }
 }
 
 mbrt::Island InterpretedModel::island(int island) {
@@ -251,6 +258,29 @@ void InterpretedModel::constraint_errors(const State& y, const State& rate, std:
      : store.target == Target::Velocity ? velocity
                                         : acceleration)[store.index] = value;
   });
+}
+
+/// `shift` begins as a copy of what `rate` has in the place of the speeds.
+void InterpretedModel::shift(const program::Kernel& kernel, const State& y, const State& rate,
+                             std::span<double> shift) {
+  load(y);
+  load_rates(rate);
+  for (std::size_t j = 0; j < std::min(shift.size(), rate.size() - coordinates_); ++j) {
+    shift[j] = rate[coordinates_ + j];
+  }
+  execute(kernel, [&](const Store& store, double value) { shift[store.index] = value; });
+}
+
+void InterpretedModel::couple(const State& y, const State& rate, std::span<double> shift) {
+  this->shift(program_.couple, y, rate, shift);
+}
+
+void InterpretedModel::uncouple(const State& y, const State& rate, std::span<double> shift) {
+  this->shift(program_.uncouple, y, rate, shift);
+}
+
+void InterpretedModel::move(const State& y, const State& rate, std::span<double> shift) {
+  this->shift(program_.move, y, rate, shift);
 }
 
 double InterpretedModel::energy(const State& y) {

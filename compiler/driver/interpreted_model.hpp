@@ -31,6 +31,9 @@ class InterpretedModel {
   void island_rows(int island, const State& y);
   void constraint_errors(const State& y, const State& rate, std::span<double> position, std::span<double> velocity,
                          std::span<double> acceleration);
+  void couple(const State& y, const State& rate, std::span<double> shift);
+  void uncouple(const State& y, const State& rate, std::span<double> shift);
+  void move(const State& y, const State& rate, std::span<double> shift);
   double energy(const State& y);
   void outputs(const State& y, const State& rate, std::span<double> values);
   void applied_forces(const State& y, std::span<double> values);
@@ -53,6 +56,7 @@ class InterpretedModel {
   template <class Put>
   void execute(const program::Kernel& kernel, const Put& put);
   bool guards_hold(const program::IslandSolve& island) const;
+  void shift(const program::Kernel& kernel, const State& y, const State& rate, std::span<double> shift);
   void solve(const program::IslandSolve& island, const State& y, State& rate);
 
   const program::Program& program_;

@@ -99,6 +99,11 @@ std::string ClassWriter::functions() const {
   text += program_.series ? series() : "";
   text += program_.velocity_shifts.islands.empty() ? "" : project();
   text += program_.islands.empty() ? "" : island_functions();
+  text += change("Changes of the speeds from those of uncoupled ones, which `rate` holds.", "couple", program_.couple);
+  text += change("Changes of uncoupled speeds from those of the speeds, which `rate` holds.", "uncouple",
+                 program_.uncouple);
+  text += change("How the coordinates move with a displacement along the speeds, which `rate` holds.", "move",
+                 program_.move);
   text += system_.constraints.empty() ? "" : constraint_errors();
   text += program_.energy.sections.front().has_stores() ? energy() : "";
   text += system_.outputs.empty() ? "" : outputs();
@@ -208,7 +213,7 @@ std::string ClassWriter::series() const {
 
 std::string ClassWriter::project() const {
   std::string text = "std::array<double, speeds> shift{};\n";
-  const auto move = [&](std::string_view kernel, std::string_view component) {
+  const auto shift = [&](std::string_view kernel, std::string_view component) {
     text += fmt::format(
         "{}(y, shift);\n"
         "for (std::size_t i = 0; i < speeds; ++i) {{\n"
@@ -216,10 +221,22 @@ std::string ClassWriter::project() const {
         "}}\n",
         kernel, component);
   };
-  if (!program_.position_shifts.islands.empty()) {
-    move("shift_positions", "i");
+  if (!program_.position_shifts.islands.empty() && program_.move.sections.front().has_stores()) {
+    text +=
+        "shift_positions(y, shift);\n"
+        "State rate{};\n"
+        "for (std::size_t i = 0; i < speeds; ++i) {\n"
+        "  rate[coordinates + i] = shift[i];\n"
+        "}\n"
+        "std::array<double, coordinates> moved{};\n"
+        "move(y, rate, moved);\n"
+        "for (std::size_t i = 0; i < coordinates; ++i) {\n"
+        "  y[i] += moved[i];\n"
+        "}\n";
+  } else if (!program_.position_shifts.islands.empty()) {
+    shift("shift_positions", "i");
   }
-  move("shift_velocities", "coordinates + i");
+  shift("shift_velocities", "coordinates + i");
   return function(
       "Moves a state onto the constraints: a step of Newton's method for the coordinates, then one for the "
       "speeds.",
@@ -251,6 +268,35 @@ std::string ClassWriter::constraint_errors() const {
                   argument("y", errors.reads_state), argument("rate", errors.reads_rate),
                   argument("position", any_holonomic)),
       errors.text);
+}
+
+std::string ClassWriter::change(std::string_view purpose, std::string_view name, const program::Kernel& kernel) const {
+  if (!kernel.sections.front().has_stores()) {
+    return "";
+  }
+  const Body change = body(kernel);
+  return function(purpose,
+                  fmt::format("void {}(const State& {}, const State& {}, std::span<double> shift) const", name,
+                              argument("y", change.reads_state), argument("rate", change.reads_rate)),
+                  change.text);
+}
+
+/// Turns u of an island into the changes of its speeds, where inertia couples some of them.
+std::string ClassWriter::coupling(std::size_t island) const {
+  const std::vector<std::size_t>& speeds = program_.islands[island].speeds;
+  std::string before, after;
+  bool couples = false;
+  for (std::size_t j = 0; j < speeds.size(); ++j) {
+    before += fmt::format("rate[{}] = u[{}];\n", system_.coordinates.size() + speeds[j], j);
+    for (const program::Unit& unit : program_.couple.sections.front().units) {
+      if (unit.stores.front().index == speeds[j]) {
+        couples = true;
+        after += fmt::format("u[{}] = shift[{}];\n", j, speeds[j]);
+      }
+    }
+  }
+  return couples ? "State rate{};\n" + before + "std::array<double, speeds> shift{};\ncouple(y, rate, shift);\n" + after
+                 : "";
 }
 
 std::string ClassWriter::energy() const {
@@ -314,7 +360,7 @@ std::string ClassWriter::climb(std::size_t island, program::Unknowns unknowns, c
              "  const mbrt::Island island = island_{0}_.view();\n"
              "  std::array<double, {1}> u{{}};\n",
              island + 1, program_.islands[island].speeds.size(), climb_of(unknowns)) +
-         indent(solve) +
+         indent(solve + coupling(island)) +
          "  return u;\n"
          "}\n\n";
 }

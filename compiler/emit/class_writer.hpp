@@ -33,6 +33,8 @@ class ClassWriter {
   std::string shifts(std::string_view name, const program::Kernel& kernel) const;
   std::string island_functions() const;
   std::string constraint_errors() const;
+  std::string change(std::string_view purpose, std::string_view name, const program::Kernel& kernel) const;
+  std::string coupling(std::size_t island) const;
   std::string energy() const;
   std::string outputs() const;
   std::string applied_forces() const;

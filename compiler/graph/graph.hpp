@@ -22,6 +22,7 @@ enum class Kind : std::uint8_t {
   Time,
   Coordinate,
   Speed,
+  CoordinateRate,  ///< of energies, until what it stands for is put in
   Acceleration,
 #define MBCC_SERIES_LEAF(name, meaning) name,
 #include "graph/series_leaves.def"

@@ -24,7 +24,7 @@ ScaledRows scaled_rows(const std::vector<std::size_t>& rows, const Island& islan
   ScaledRows scaled{MatrixXd::Zero(speeds, count), VectorXd::Zero(count)};
   std::vector<Expr> expressions;
   for (const std::size_t row : rows) {
-    for (const Entry& entry : derivatives.rows[row].entries) {
+    for (const Entry& entry : derivatives.rows[row].solved) {
       expressions.push_back(entry.value);
       expressions.push_back(derivatives.mobility[entry.speed]);
     }
@@ -32,7 +32,7 @@ ScaledRows scaled_rows(const std::vector<std::size_t>& rows, const Island& islan
   const std::vector<double> values = values_at(point, expressions);
   std::size_t at = 0;
   for (Eigen::Index k = 0; k < count; ++k) {
-    for (const Entry& entry : derivatives.rows[rows[static_cast<std::size_t>(k)]].entries) {
+    for (const Entry& entry : derivatives.rows[rows[static_cast<std::size_t>(k)]].solved) {
       const auto column = std::lower_bound(island.speeds.begin(), island.speeds.end(), entry.speed);
       scaled.matrix(column - island.speeds.begin(), k) = values[at] * std::sqrt(values[at + 1]);
       at += 2;

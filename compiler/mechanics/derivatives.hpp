@@ -10,7 +10,7 @@
 
 namespace mbcc::mechanics {
 
-/// A structurally nonzero entry of A: the derivative of the row's constraint along one speed.
+/// A structurally nonzero entry of a matrix in the column of one speed.
 struct Entry {
   std::size_t speed;
   Expr value;
@@ -20,7 +20,8 @@ struct Entry {
 /// 1992).
 struct Row {
   std::size_t constraint;
-  std::vector<Entry> entries;  ///< by increasing speed
+  std::vector<Entry> entries;  ///< of A, the derivatives of the constraint along speeds, by increasing speed
+  std::vector<Entry> solved;   ///< of A L^-T: the row in uncoupled speeds, which is what the solve uses
   Expr b;                      ///< holonomic: -d2h/dt2 at u' = 0; nonholonomic: -dg/dt at u' = 0
   Expr value;                  ///< h or g
   Expr rate;                   ///< dh/dt along the motion; g where nonholonomic
@@ -28,10 +29,16 @@ struct Row {
   double content = 1;          ///< numeric factor that all entries share; the solve uses the row divided by it
 };
 
+/// How a speed u_j follows from uncoupled ones: Note [uncoupled speeds] in uncouple.hpp.
+struct Coupling {
+  std::size_t speed;
+  std::vector<Entry> terms;  ///< L_ij
+};
+
 /// `value`, an entry or the residual of `row`, of the row as it is solved: divided by its content.
 inline Expr as_solved(const Row& row, Expr value) { return value / number(value, row.content); }
 
-/// Rows and speeds that have to be solved together: a connected component of the graph that A makes of the speeds.
+/// Rows and speeds that have to be solved together: a connected component of the graph that A and M make of the speeds.
 struct Island {
   std::vector<std::size_t> rows;    ///< in elimination order
   std::vector<std::size_t> held;    ///< rows that the others imply: Note [held rows] in redundancy.hpp
@@ -39,12 +46,18 @@ struct Island {
 };
 
 struct Derivatives {
-  std::vector<Expr> free;      ///< nv, a = M^-1 f
-  std::vector<Expr> mobility;  ///< nv, 1/m
-  std::vector<Row> rows;       ///< one per constraint, in order
+  std::vector<Expr> free;           ///< nv, a = M^-1 f, of islands along uncoupled speeds
+  std::vector<Expr> mobility;       ///< nv, 1/m, of uncoupled speeds
+  std::vector<Coupling> couplings;  ///< of speeds in islands
+  std::vector<Row> rows;            ///< one per constraint, in order
   std::vector<Island> islands;
-  std::optional<Expr> energy;  ///< kinetic and potential, where every applied force is constant
+  std::vector<std::size_t> undetermined;  ///< speeds with neither inertia nor a constraint that could determine them
+  std::optional<Expr>
+      energy;  ///< kinetic and potential, where the model declares one or every applied force is constant
 };
+
+/// Whether inertia and couplings in the islands are the same all through a run.
+bool has_constant_inertia(const Derivatives& derivatives);
 
 /// Differentiates by duals over the graph: one direction per entry of A, the motion itself, twice, for b.
 Derivatives differentiate(const model::System& system, const Equations& equations, graph::Graph& graph);

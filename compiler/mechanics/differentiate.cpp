@@ -1,68 +1,43 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph/dual.hpp"
 #include "mechanics/collect.hpp"
 #include "mechanics/derivatives.hpp"
+#include "mechanics/directions.hpp"
+#include "mechanics/energies.hpp"
 #include "mechanics/islands.hpp"
 #include "mechanics/redundancy.hpp"
+#include "mechanics/uncouple.hpp"
 
 namespace mbcc::mechanics {
 
 namespace {
 
-using graph::Dual;
 using graph::Graph;
-using graph::Kind;
 using graph::Level;
-using graph::Node;
 
-Expr same_leaf(Graph& graph, const Node& node) {
-  return node.kind == Kind::Constant ? graph.constant(node.value) : graph.leaf(node.kind, node.index);
-}
-
-struct Rates {
-  Expr first;
-  Expr second;
-};
-
-/// First and second time derivative along the motion with u' = 0: t' = 1, q' = u, all else rests.
-Rates along_unaccelerated_motion(Expr expression, const std::vector<Expr>& kinematics) {
-  Graph& graph = expression.graph();
-  const auto seed = [&](const Node& node) -> Dual<Dual<Expr>> {
-    const Expr zero = graph.constant(0);
-    const Expr rate = node.kind == Kind::Time         ? graph.constant(1)
-                      : node.kind == Kind::Coordinate ? kinematics[node.index]
-                                                      : zero;
-    return {{same_leaf(graph, node), rate}, {rate, zero}};
-  };
-  const Dual<Dual<Expr>> motion = graph::evaluate<Dual<Dual<Expr>>>(graph, std::array{expression}, seed).front();
-  return {motion.value.derivative, motion.derivative.derivative};
-}
-
-/// Indices of the leaves of one kind that occur in `expression`, increasing.
-std::vector<std::uint32_t> occurring(Expr expression, Kind kind) {
-  std::vector<std::uint32_t> indices;
-  for (const graph::NodeId id : graph::reachable(expression.graph(), std::array{expression})) {
-    const Node& node = expression.graph()[id];
-    if (node.kind == kind) {
-      indices.push_back(node.index);
+/// Of a holonomic constraint those of its rate, of a nonholonomic one its own.
+std::vector<Entry> entries_of(const Equations& equations, Expr constraint, bool holonomic) {
+  std::map<std::size_t, Expr> by_speed;
+  if (holonomic) {
+    for (const std::uint32_t i : occurring(constraint, Kind::Coordinate)) {
+      const Expr slope = partial(constraint, Kind::Coordinate, i);
+      for (const auto& [speed, direction] : partials_along_speeds(equations.kinematics[i])) {
+        const auto [entry, is_new] = by_speed.try_emplace(speed, slope * direction);
+        if (!is_new) {
+          entry->second = entry->second + slope * direction;
+        }
+      }
     }
+  } else {
+    by_speed = partials_along_speeds(constraint);
   }
-  std::sort(indices.begin(), indices.end());
-  return indices;
-}
-
-std::vector<Entry> entries_of(const model::System& system, Expr constraint, bool holonomic) {
   std::vector<Entry> entries;
-  const Kind kind = holonomic ? Kind::Coordinate : Kind::Speed;
-  for (const std::uint32_t index : occurring(constraint, kind)) {
-    const Expr value = partial(constraint, kind, index);
+  for (const auto& [speed, value] : by_speed) {
     if (!is_zero(value)) {
-      entries.push_back({holonomic ? model::index(system.coordinates[index].rate) : index, value});
+      entries.push_back({speed, value});
     }
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.speed < b.speed; });
   return entries;
 }
 
@@ -76,34 +51,42 @@ double content_of(const std::vector<Entry>& entries) {
 }
 
 Row differentiate_constraint(const model::System& system, const Equations& equations, std::size_t k,
-                             const std::vector<Expr>& free) {
+                             const UnacceleratedMotion& motion) {
   const Expr value = equations.constraints[k];
   const bool holonomic = system.constraints[k].holonomic;
-  const Rates rates = along_unaccelerated_motion(value, equations.kinematics);
+  const UnacceleratedMotion::Rates rates = motion.rates(value);
   const Expr b = collect(holonomic ? -rates.second : -rates.first);
-  Row row{k, entries_of(system, value, holonomic), b, value, holonomic ? collect(rates.first) : value, b, 1};
-  Expr of_free_motion = number(value, 0);
-  for (const Entry& entry : row.entries) {
-    of_free_motion = of_free_motion + entry.value * free[entry.speed];
-  }
-  row.residual = collect(b - of_free_motion);
-  row.content = content_of(row.entries);
-  return row;
+  return {k, entries_of(equations, value, holonomic), {}, b, value, holonomic ? collect(rates.first) : value, b, 1};
 }
 
-std::vector<Expr> sum_of_forces(const model::System& system, const Equations& equations, Graph& graph) {
-  std::vector<Expr> total(system.speeds.size(), graph.constant(0));
-  for (std::size_t i = 0; i < system.forces.size(); ++i) {
-    Expr& force = total[model::index(system.forces[i].speed)];
-    force = force + equations.forces[i];
+/// What the row is in uncoupled speeds, where the motion without constraints is `free`.
+void finish(Row& row, std::vector<Entry> solved, const std::vector<Expr>& free) {
+  row.solved = std::move(solved);
+  Expr of_free_motion = number(row.b, 0);
+  for (const Entry& entry : row.solved) {
+    of_free_motion = of_free_motion + entry.value * free[entry.speed];
+  }
+  row.residual = collect(row.b - of_free_motion);
+  row.content = content_of(row.solved);
+}
+
+std::vector<Expr> sum_of_forces(const Equations& equations, Graph& graph) {
+  std::vector<Expr> total(equations.inertia.size(), graph.constant(0));
+  for (std::size_t i = 0; i < equations.forces.size(); ++i) {
+    for (const auto& [speed, direction] : partials_along_speeds(equations.force_velocities[i])) {
+      total[speed] = total[speed] + direction * equations.forces[i];
+    }
   }
   return total;
 }
 
-/// Kinetic energy, less the work of the constant forces; nothing where a force is not constant.
+/// Kinetic and potential energy, less the work of the constant forces; nothing where a force is not constant and the
+/// model does not declare what the energy is.
 std::optional<Expr> energy_of(const model::System& system, const Equations& equations, const std::vector<Expr>& forces,
                               Graph& graph) {
-  if (std::any_of(forces.begin(), forces.end(), [](Expr force) { return force.level() > Level::Parameter; })) {
+  const bool declared = !equations.kinetic.empty() || !equations.potential.empty();
+  const auto is_constant = [](Expr force) { return force.level() <= Level::Parameter; };
+  if (!declared && !std::all_of(forces.begin(), forces.end(), is_constant)) {
     return std::nullopt;
   }
   Expr energy = graph.constant(0);
@@ -111,25 +94,77 @@ std::optional<Expr> energy_of(const model::System& system, const Equations& equa
     const Expr speed = graph.leaf(Kind::Speed, j);
     energy = energy + graph.constant(0.5) * equations.inertia[j] * speed * speed;
   }
+  for (const Expr kinetic : equations.kinetic) {
+    energy = energy + with_rates(kinetic, equations.kinematics);
+  }
+  for (const Expr potential : equations.potential) {
+    energy = energy + potential;
+  }
   for (std::uint32_t i = 0; i < system.coordinates.size(); ++i) {
-    energy = energy - forces[model::index(system.coordinates[i].rate)] * graph.leaf(Kind::Coordinate, i);
+    const std::optional<model::SpeedId> speed = system.speed_of(system.coordinates[i]);
+    if (speed && is_constant(forces[model::index(*speed)])) {
+      energy = energy - forces[model::index(*speed)] * graph.leaf(Kind::Coordinate, i);
+    }
   }
   return energy;
 }
 
+/// Speeds that no constraint touches need no solve: they get their own accelerations at once.
+void release_unconstrained(Derivatives& derivatives) {
+  std::vector<bool> constrained(derivatives.free.size());
+  for (const Island& island : derivatives.islands) {
+    for (const std::size_t speed : island.speeds) {
+      constrained[speed] = true;
+    }
+  }
+  const std::vector<Expr> accelerations = coupled(derivatives.couplings, derivatives.free);
+  for (std::size_t j = 0; j < constrained.size(); ++j) {
+    if (!constrained[j]) {
+      derivatives.free[j] = accelerations[j];
+    }
+  }
+  std::erase_if(derivatives.couplings, [&](const Coupling& coupling) { return !constrained[coupling.speed]; });
+}
+
 }  // namespace
+
+bool has_constant_inertia(const Derivatives& derivatives) {
+  const auto is_constant = [](Expr value) { return value.level() <= Level::Parameter; };
+  const auto constant_terms = [&](const Coupling& coupling) {
+    return std::all_of(coupling.terms.begin(), coupling.terms.end(),
+                       [&](const Entry& term) { return is_constant(term.value); });
+  };
+  const auto constant_mobility = [&](const Island& island) {
+    return std::all_of(island.speeds.begin(), island.speeds.end(),
+                       [&](std::size_t speed) { return is_constant(derivatives.mobility[speed]); });
+  };
+  return std::all_of(derivatives.couplings.begin(), derivatives.couplings.end(), constant_terms) &&
+         std::all_of(derivatives.islands.begin(), derivatives.islands.end(), constant_mobility);
+}
 
 Derivatives differentiate(const model::System& system, const Equations& equations, Graph& graph) {
   Derivatives derivatives;
-  const std::vector<Expr> forces = sum_of_forces(system, equations, graph);
-  for (std::size_t j = 0; j < system.speeds.size(); ++j) {
-    derivatives.mobility.push_back(graph.constant(1) / equations.inertia[j]);
-    derivatives.free.push_back(forces[j] / equations.inertia[j]);
+  const std::vector<Expr> applied = sum_of_forces(equations, graph);
+  EnergyTerms energies = differentiate_energies(equations, graph);
+  for (std::size_t j = 0; j < applied.size(); ++j) {
+    energies.forces[j] = energies.forces[j] + applied[j];
   }
+  const UnacceleratedMotion motion(equations.kinematics);
   for (std::size_t k = 0; k < equations.constraints.size(); ++k) {
-    derivatives.rows.push_back(differentiate_constraint(system, equations, k, derivatives.free));
+    derivatives.rows.push_back(differentiate_constraint(system, equations, k, motion));
   }
-  derivatives.islands = find_islands(derivatives.rows, system.speeds.size());
+  Uncoupled uncoupled = uncouple(energies.inertia, energies.forces, derivatives.rows, initial_point(system, equations));
+  derivatives.free = std::move(uncoupled.free);
+  derivatives.couplings = std::move(uncoupled.couplings);
+  derivatives.undetermined = std::move(uncoupled.undetermined);
+  for (const Expr inertia : uncoupled.inertia) {
+    derivatives.mobility.push_back(graph.constant(1) / inertia);
+  }
+  for (std::size_t k = 0; k < derivatives.rows.size(); ++k) {
+    finish(derivatives.rows[k], std::move(uncoupled.rows[k]), derivatives.free);
+  }
+  derivatives.islands = find_islands(derivatives.rows, derivatives.couplings, system.speeds.size());
+  release_unconstrained(derivatives);
   for (Island& island : derivatives.islands) {
     island.held = find_implied_rows(island, system, equations, derivatives);
     std::erase_if(island.rows, [&](std::size_t row) {
@@ -137,7 +172,7 @@ Derivatives differentiate(const model::System& system, const Equations& equation
     });
     island.rows = elimination_order(derivatives.rows, island.rows);
   }
-  derivatives.energy = energy_of(system, equations, forces, graph);
+  derivatives.energy = energy_of(system, equations, applied, graph);
   return derivatives;
 }
 

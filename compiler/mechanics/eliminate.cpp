@@ -5,6 +5,7 @@
 
 #include "graph/in_order.hpp"
 #include "mechanics/islands.hpp"
+#include "mechanics/uncouple.hpp"
 
 namespace mbcc::mechanics {
 
@@ -20,9 +21,9 @@ using Sparse = std::map<std::size_t, Expr>;
 /// added: the two ends of a rod contribute alike.
 std::optional<Expr> product(const Row& k, const Row& l, const std::vector<Expr>& mobility) {
   std::vector<std::pair<Expr, int>> terms;
-  auto left = k.entries.begin();
-  auto right = l.entries.begin();
-  while (left != k.entries.end() && right != l.entries.end()) {
+  auto left = k.solved.begin();
+  auto right = l.solved.begin();
+  while (left != k.solved.end() && right != l.solved.end()) {
     if (left->speed < right->speed) {
       ++left;
     } else if (right->speed < left->speed) {
@@ -110,7 +111,7 @@ void accelerate(const Island& island, const Derivatives& derivatives, Eliminatio
   std::map<std::size_t, Expr> added;
   for (const auto& [row, multiplier] : multiplier_of) {
     std::vector<Expr>& terms = result.constraint_terms.emplace_back();
-    for (const Entry& entry : derivatives.rows[row].entries) {
+    for (const Entry& entry : derivatives.rows[row].solved) {
       const Expr along = as_solved(derivatives.rows[row], entry.value) * derivatives.mobility[entry.speed];
       const Expr ratio = free[entry.speed] / along;
       const bool joins = ratio.is_constant();
@@ -181,7 +182,7 @@ void eliminate_two(const std::vector<Sparse>& columns, Elimination& result) {
 
 /// The entry of A along `speed`, divided by the row's content; zero where the row has none.
 Expr entry_along(const Row& row, std::size_t speed) {
-  for (const Entry& entry : row.entries) {
+  for (const Entry& entry : row.solved) {
     if (entry.speed == speed) {
       return as_solved(row, entry.value);
     }
@@ -219,6 +220,28 @@ void eliminate_square(const Island& island, const Derivatives& derivatives, cons
                         reciprocal * difference_of({a * force_q, b * force_p})};
 }
 
+/// The accelerations of the island's speeds from those of its uncoupled ones.
+std::vector<Expr> coupled_in(const Island& island, const Derivatives& derivatives, std::vector<Expr> values) {
+  std::vector<Coupling> couplings;
+  for (const Coupling& coupling : derivatives.couplings) {
+    if (std::binary_search(island.speeds.begin(), island.speeds.end(), coupling.speed)) {
+      couplings.push_back(coupling);
+    }
+  }
+  if (couplings.empty()) {
+    return values;
+  }
+  std::vector<Expr> by_speed = derivatives.free;
+  for (std::size_t j = 0; j < island.speeds.size(); ++j) {
+    by_speed[island.speeds[j]] = values[j];
+  }
+  by_speed = coupled(couplings, std::move(by_speed));
+  for (std::size_t j = 0; j < island.speeds.size(); ++j) {
+    values[j] = by_speed[island.speeds[j]];
+  }
+  return values;
+}
+
 }  // namespace
 
 bool rows_determine(const Island& island) { return island.rows.size() == 2 && island.speeds.size() == 2; }
@@ -246,6 +269,7 @@ Elimination eliminate(const Island& island, const Derivatives& derivatives, cons
   result.multipliers.assign(size, graph.constant(0));
   if (rows_determine(island)) {
     eliminate_square(island, derivatives, right, result);
+    result.accelerations = coupled_in(island, derivatives, std::move(result.accelerations));
     return result;
   }
   if (size == 2 && columns[0].contains(1)) {
@@ -254,6 +278,7 @@ Elimination eliminate(const Island& island, const Derivatives& derivatives, cons
     eliminate_in_order(columns, result);
   }
   accelerate(island, derivatives, result, graph);
+  result.accelerations = coupled_in(island, derivatives, std::move(result.accelerations));
   return result;
 }
 

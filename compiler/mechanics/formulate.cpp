@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "diagnostics/assert.hpp"
 #include "graph/dual.hpp"
+#include "mechanics/directions.hpp"
 #include "mechanics/equations.hpp"
 
 namespace mbcc::mechanics {
@@ -8,7 +11,6 @@ namespace {
 
 using graph::Dual;
 using graph::Graph;
-using graph::Kind;
 using graph::Node;
 using model::ExpressionId;
 using model::ExpressionKind;
@@ -42,8 +44,6 @@ class Lowering {
         return graph_.leaf(Kind::Parameter, expression.index);
       case ExpressionKind::Apply:
         return lower_application(expression);
-      case ExpressionKind::Share:
-        return partial(operand(expression, 0), Kind::Speed, expression.index);
       case ExpressionKind::Rate:
         return rates_of({operand(expression, 0)}, kinematics_).front();
     }
@@ -66,6 +66,28 @@ class Lowering {
   const std::vector<Expr>& kinematics_;
   std::vector<Expr> lowered_;
 };
+
+/// Rates of coordinates as they occur in energies: speeds where they are speeds, else leaves of their own.
+std::vector<Expr> symbolic_rates(const model::System& system, Graph& graph) {
+  std::vector<Expr> rates;
+  for (std::uint32_t i = 0; i < system.coordinates.size(); ++i) {
+    const std::optional<model::SpeedId> speed = system.speed_of(system.coordinates[i]);
+    rates.push_back(speed ? graph.leaf(Kind::Speed, index(*speed)) : graph.leaf(Kind::CoordinateRate, i));
+  }
+  return rates;
+}
+
+/// Puts rates into each other until none is left. There is no cycle among them.
+std::vector<Expr> resolved(std::vector<Expr> rates) {
+  const auto is_open = [](Expr rate) { return !occurring(rate, Kind::CoordinateRate).empty(); };
+  while (std::any_of(rates.begin(), rates.end(), is_open)) {
+    const std::vector<Expr> known = rates;
+    for (Expr& rate : rates) {
+      rate = with_rates(rate, known);
+    }
+  }
+  return rates;
+}
 
 template <class Item, class Member>
 std::vector<Expr> select(const std::vector<Item>& items, Member member, const Lowering& lowering) {
@@ -102,15 +124,6 @@ void resolve_starts(const std::vector<std::size_t>& order, Equations& equations,
 
 }  // namespace
 
-Expr partial(Expr expression, Kind kind, std::uint32_t index) {
-  Graph& graph = expression.graph();
-  const auto seed = [&](const Node& node) -> Dual<Expr> {
-    const Expr leaf = node.kind == Kind::Constant ? graph.constant(node.value) : graph.leaf(node.kind, node.index);
-    return {leaf, graph.constant(node.kind == kind && node.index == index ? 1 : 0)};
-  };
-  return graph::evaluate<Dual<Expr>>(graph, std::array{expression}, seed).front().derivative;
-}
-
 std::vector<Expr> rates_of(const std::vector<Expr>& expressions, const std::vector<Expr>& kinematics) {
   if (expressions.empty()) {
     return {};
@@ -140,15 +153,18 @@ std::vector<Expr> rates_of(const std::vector<Expr>& expressions, const std::vect
 
 Equations formulate(const model::System& system, Graph& graph) {
   Equations equations;
-  for (const model::Coordinate& coordinate : system.coordinates) {
-    equations.kinematics.push_back(graph.leaf(Kind::Speed, index(coordinate.rate)));
-  }
+  const std::vector<Expr> rates = symbolic_rates(system, graph);
+  const Lowering symbolic(system, graph, rates);
+  equations.kinetic = select(system.kinetic, &model::Energy::value, symbolic);
+  equations.kinematics = resolved(select(system.coordinates, &model::Coordinate::rate, symbolic));
   const Lowering lowering(system, graph, equations.kinematics);
   equations.initial_coordinates = select(system.coordinates, &model::Coordinate::initial, lowering);
   equations.initial_speeds = select(system.speeds, &model::Speed::initial, lowering);
   resolve_starts(system.start_order, equations, graph);
   equations.inertia = select(system.speeds, &model::Speed::inertia, lowering);
   equations.forces = select(system.forces, &model::Force::value, lowering);
+  equations.force_velocities = select(system.forces, &model::Force::along, lowering);
+  equations.potential = select(system.potential, &model::Energy::value, lowering);
   equations.constraints = select(system.constraints, &model::Constraint::value, lowering);
   equations.outputs = select(system.outputs, &model::Output::value, lowering);
   return equations;

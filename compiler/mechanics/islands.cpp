@@ -59,18 +59,24 @@ std::vector<std::size_t> links_apart(const std::vector<std::set<std::size_t>>& n
 
 }  // namespace
 
-std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speeds) {
+std::vector<Island> find_islands(const std::vector<Row>& rows, const std::vector<Coupling>& couplings,
+                                 std::size_t speeds) {
   Components components(speeds);
+  for (const Coupling& coupling : couplings) {
+    for (const Entry& term : coupling.terms) {
+      components.join(term.speed, coupling.speed);
+    }
+  }
   for (const Row& row : rows) {
-    for (const Entry& entry : row.entries) {
-      components.join(entry.speed, row.entries.front().speed);
+    for (const Entry& entry : row.solved) {
+      components.join(entry.speed, row.solved.front().speed);
     }
   }
   std::vector<Island> islands;
   std::map<std::size_t, std::size_t> island_of_root;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!rows[k].entries.empty()) {
-      const std::size_t root = components.root(rows[k].entries.front().speed);
+    if (!rows[k].solved.empty()) {
+      const std::size_t root = components.root(rows[k].solved.front().speed);
       const auto [found, is_new] = island_of_root.try_emplace(root, islands.size());
       if (is_new) {
         islands.emplace_back();
@@ -91,7 +97,7 @@ std::map<std::size_t, std::vector<std::size_t>> rows_by_speed(const std::vector<
                                                               const std::vector<std::size_t>& rows) {
   std::map<std::size_t, std::vector<std::size_t>> rows_of_speed;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const Entry& entry : all_rows[rows[k]].entries) {
+    for (const Entry& entry : all_rows[rows[k]].solved) {
       rows_of_speed[entry.speed].push_back(k);
     }
   }

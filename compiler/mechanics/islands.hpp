@@ -8,9 +8,10 @@
 
 namespace mbcc::mechanics {
 
-/// Connected components of the speeds, joined by the rows in which they occur, in the order of their first row; each
-/// with its rows in the order of the model. Rows without entries belong to no island.
-std::vector<Island> find_islands(const std::vector<Row>& rows, std::size_t speeds);
+/// Connected components of the speeds, joined by inertia and by the rows in which they occur, in the order of their
+/// first row; each with its rows in the order of the model. Rows without entries belong to no island.
+std::vector<Island> find_islands(const std::vector<Row>& rows, const std::vector<Coupling>& couplings,
+                                 std::size_t speeds);
 
 /// Per speed that occurs in `rows`, some of `all_rows`: the positions in `rows` of those in which it does, increasing.
 std::map<std::size_t, std::vector<std::size_t>> rows_by_speed(const std::vector<Row>& all_rows,

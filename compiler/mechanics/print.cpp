@@ -23,6 +23,8 @@ graph::LeafName leaf_names(const model::System& system) {
         return system.coordinates[node.index].name;
       case graph::Kind::Speed:
         return system.speeds[node.index].name;
+      case graph::Kind::CoordinateRate:
+        return system.coordinates[node.index].name + "'";
       case graph::Kind::Acceleration:
         return system.speeds[node.index].acceleration;
       case graph::Kind::Parameter:
@@ -37,7 +39,7 @@ graph::LeafName leaf_names(const model::System& system) {
 
 std::string print(const mechanics::Equations& equations, const model::System& system) {
   using namespace mechanics;
-  Labelled start, kinematics, inertia, forces, constraints, outputs;
+  Labelled start, kinematics, inertia, energies, forces, constraints, outputs;
   for (std::size_t i = 0; i < system.coordinates.size(); ++i) {
     const std::string& name = system.coordinates[i].name;
     start.emplace_back(name, equations.initial_coordinates[i]);
@@ -45,11 +47,23 @@ std::string print(const mechanics::Equations& equations, const model::System& sy
   }
   for (std::size_t j = 0; j < system.speeds.size(); ++j) {
     start.emplace_back(system.speeds[j].name, equations.initial_speeds[j]);
-    inertia.emplace_back(system.speeds[j].name, equations.inertia[j]);
+    if (!is_zero(equations.inertia[j])) {
+      inertia.emplace_back(system.speeds[j].name, equations.inertia[j]);
+    }
+  }
+  for (std::size_t i = 0; i < equations.kinetic.size(); ++i) {
+    energies.emplace_back(fmt::format("kinetic {}", i + 1), equations.kinetic[i]);
+  }
+  for (std::size_t i = 0; i < equations.potential.size(); ++i) {
+    energies.emplace_back(fmt::format("potential {}", i + 1), equations.potential[i]);
   }
   for (std::size_t i = 0; i < system.forces.size(); ++i) {
     const model::Force& force = system.forces[i];
-    forces.emplace_back(fmt::format("{} [{}]", system[force.speed].name, force.name), equations.forces[i]);
+    const model::Expression& along = system[force.along];
+    const bool is_along_speed = along.kind == model::ExpressionKind::Speed;
+    forces.emplace_back(
+        is_along_speed ? fmt::format("{} [{}]", system.speeds[along.index].name, force.name) : force.name,
+        equations.forces[i]);
   }
   for (std::size_t k = 0; k < system.constraints.size(); ++k) {
     const model::Constraint& constraint = system.constraints[k];
@@ -61,15 +75,22 @@ std::string print(const mechanics::Equations& equations, const model::System& sy
     outputs.emplace_back(system.outputs[i].name, equations.outputs[i]);
   }
   return section("start", start, system) + section("kinematics", kinematics, system) +
-         section("inertia", inertia, system) + section("forces", forces, system) +
-         section("constraints", constraints, system) + section("outputs", outputs, system);
+         section("inertia", inertia, system) + section("energies", energies, system) +
+         section("forces", forces, system) + section("constraints", constraints, system) +
+         section("outputs", outputs, system);
 }
 
 std::string print(const mechanics::Derivatives& derivatives, const model::System& system) {
   using namespace mechanics;
-  Labelled free, rows, energy;
+  Labelled free, couplings, rows, energy;
   for (std::size_t j = 0; j < system.speeds.size(); ++j) {
     free.emplace_back(system.speeds[j].acceleration, derivatives.free[j]);
+  }
+  for (const Coupling& coupling : derivatives.couplings) {
+    for (const Entry& term : coupling.terms) {
+      couplings.emplace_back(
+          fmt::format("L[{}, {}]", system.speeds[term.speed].name, system.speeds[coupling.speed].name), term.value);
+    }
   }
   for (const Row& row : derivatives.rows) {
     const std::string& name = system.constraints[row.constraint].name;
@@ -92,8 +113,8 @@ std::string print(const mechanics::Derivatives& derivatives, const model::System
     }
     islands += "\n";
   }
-  return section("free accelerations", free, system) + section("rows of A u' = b", rows, system) +
-         section("energy", energy, system) + islands;
+  return section("free accelerations", free, system) + section("couplings", couplings, system) +
+         section("rows of A u' = b", rows, system) + section("energy", energy, system) + islands;
 }
 
 }  // namespace mbcc

@@ -56,7 +56,7 @@ std::map<std::size_t, Component> components_by_speed(const model::System& system
   for (std::size_t place = 0; place < system.places.size(); ++place) {
     for (std::size_t axis = 0; axis < system.places[place].position.size(); ++axis) {
       const model::Coordinate& coordinate = system[system.places[place].position[axis]];
-      result.emplace(index(coordinate.rate), Component{place, static_cast<Eigen::Index>(axis)});
+      result.emplace(index(*system.speed_of(coordinate)), Component{place, static_cast<Eigen::Index>(axis)});
     }
   }
   return result;

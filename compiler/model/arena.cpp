@@ -81,19 +81,6 @@ Scalar Arena::rate(Scalar operand, Span span) {
   return append(rate, of_operand | brought_by_rate(of_operand));
 }
 
-Scalar Arena::share(Scalar position, SpeedId speed, Span span) {
-  const Scalar velocity = rate(position, span);
-  if (!velocity.node || !overlap(quantities(position), Quantities::Coordinate)) {
-    return {};
-  }
-  Expression share;
-  share.kind = ExpressionKind::Share;
-  share.index = index(speed);
-  share.operands[0] = *velocity.node;
-  share.span = span;
-  return append(share, quantities(position));
-}
-
 std::vector<CoordinateId> Arena::coordinates_of(const Value& position) const {
   std::set<CoordinateId> found;
   std::set<ExpressionId> seen;
@@ -163,7 +150,6 @@ std::size_t operand_count(const Expression& expression) {
   switch (expression.kind) {
     case ExpressionKind::Apply:
       return static_cast<std::size_t>(graph::arity(expression.op));
-    case ExpressionKind::Share:
     case ExpressionKind::Rate:
       return 1;
     default:

@@ -36,8 +36,6 @@ class Arena {
   /// The result may be infinite or not a number; the caller knows what to say about it.
   Scalar apply(graph::Operator op, std::initializer_list<Scalar> operands, Span span);
   Scalar rate(Scalar operand, Span span);
-  /// How much of the speed is in the rate of `position`: the derivative of that rate by the speed.
-  Scalar share(Scalar position, SpeedId speed, Span span);
   /// The coordinates that the components of `position` depend on, increasing.
   std::vector<CoordinateId> coordinates_of(const Value& position) const;
   ExpressionId node(Scalar scalar, Span span);

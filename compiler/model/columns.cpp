@@ -15,4 +15,13 @@ std::vector<int> columns(const System& system) {
   return std::is_sorted(columns.begin(), columns.end()) ? std::vector<int>() : columns;
 }
 
+bool System::moves_plainly() const {
+  bool plain = coordinates.size() == speeds.size();
+  for (std::size_t i = 0; i < coordinates.size() && plain; ++i) {
+    const std::optional<SpeedId> speed = speed_of(coordinates[i]);
+    plain = speed && index(*speed) == i;
+  }
+  return plain;
+}
+
 }  // namespace mbcc::model

@@ -8,6 +8,7 @@ namespace {
 template <class Visit>
 void for_each_root(System& system, const Visit& visit) {
   for (Coordinate& coordinate : system.coordinates) {
+    visit(coordinate.rate);
     visit(coordinate.initial);
   }
   for (Speed& speed : system.speeds) {
@@ -15,7 +16,13 @@ void for_each_root(System& system, const Visit& visit) {
     visit(speed.initial);
   }
   for (Force& force : system.forces) {
+    visit(force.along);
     visit(force.value);
+  }
+  for (std::vector<Energy>* energies : {&system.kinetic, &system.potential}) {
+    for (Energy& energy : *energies) {
+      visit(energy.value);
+    }
   }
   for (Constraint& constraint : system.constraints) {
     visit(constraint.value);

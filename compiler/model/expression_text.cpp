@@ -65,9 +65,6 @@ std::string ExpressionText::write(const Expression& expression) const {
       return system_.speeds[expression.index].name;
     case ExpressionKind::Parameter:
       return system_.parameters[expression.index].name;
-    case ExpressionKind::Share:
-      return fmt::format("share({}, {})", write(expression.operands[0], Binding::Nothing),
-                         system_.speeds[expression.index].name);
     case ExpressionKind::Rate:
       return write(expression.operands[0], Binding::Operand) + "'";
     case ExpressionKind::Apply:

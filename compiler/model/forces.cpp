@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/names.hpp"
 #include "model/system_builder.hpp"
 
@@ -21,9 +23,9 @@ void SystemBuilder::add_force(std::string_view kind, const Particle& particle, s
     return;
   }
   const std::string where = context_.dimension == 1 ? "" : fmt::format(", {}", axis_names[axis]);
-  const SpeedId speed{context_.motion_index(particle, axis)};
+  const ExpressionId along = speed_node(context_.motion_index(particle, axis), span);
   system_.forces.push_back(
-      {fmt::format("{} on {}{}", kind, describe(particle), where), speed, context_.arena.node(value, span), span});
+      {fmt::format("{} on {}{}", kind, describe(particle), where), along, context_.arena.node(value, span), span});
 }
 
 void SystemBuilder::add(const ast::ForceOn& force, const Instance& instance) {
@@ -37,30 +39,20 @@ void SystemBuilder::add(const ast::ForceOn& force, const Instance& instance) {
   }
 }
 
-/// A point moves with the speeds that its velocity depends on: along each acts the force times its share in the
-/// velocity.
+/// Each component acts along that of the point's velocity.
 void SystemBuilder::add_force(Definition& point, const ast::ForceOn& force, const Frame* frame) {
   const std::string what = fmt::format("force on `{}`", point.name);
   const Operand applied{evaluator_.evaluate(force.value, frame), force.value.span};
   const Value components = expect_independent(applied, Quantities::Acceleration, "the " + what)
                                ? expect_vector(applied, "the " + what)
                                : Value();
-  const Span span = force.value.span;
   const Value position = evaluator_.value_of(point, force.target.span);
-  if (components.is_nothing() || position.is_nothing()) {
-    return;
-  }
-  for (const CoordinateId coordinate : context_.arena.coordinates_of(position)) {
-    const SpeedId speed = system_[coordinate].rate;
-    Value total = 0.0;
-    for (std::size_t axis = 0; axis < components.size(); ++axis) {
-      const Scalar share = context_.arena.share(position[axis], speed, span);
-      const Value part = evaluator_.algebra().multiply({components[axis], span}, {share, span}, span, span);
-      total = evaluator_.algebra().add({total, span}, {part, span}, span, span);
-    }
-    if (!total.is_nothing() && !total.is_zero()) {
-      system_.forces.push_back(
-          {fmt::format("{} along {}", what, system_[speed].name), speed, context_.arena.node(total[0], span), span});
+  for (std::size_t axis = 0; axis < std::min(components.size(), position.size()); ++axis) {
+    const Scalar velocity = context_.arena.rate(position[axis], force.value.span);
+    if (!components[axis].is_zero() && velocity.node) {
+      const std::string where = context_.dimension == 1 ? "" : fmt::format(", {}", axis_names[axis]);
+      const Span span = component_span(force.value, axis);
+      system_.forces.push_back({what + where, *velocity.node, context_.arena.node(components[axis], span), span});
     }
   }
 }

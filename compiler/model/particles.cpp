@@ -31,7 +31,7 @@ void SystemBuilder::add_particles() {
         motion_columns_.insert(column(particle, prefix, axis));
       }
       place.position.push_back(CoordinateId{index});
-      system_.coordinates[index] = {column(particle, "", axis), SpeedId{index}, {}, span};
+      system_.coordinates[index] = {column(particle, "", axis), speed_node(index, span), {}, span};
       system_.speeds[index] = {column(particle, "v", axis), column(particle, "a", axis), {}, {}, span};
       system_.declared_coordinates.push_back(CoordinateId{index});
       system_.declared_speeds.push_back(SpeedId{index});

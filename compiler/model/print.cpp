@@ -61,14 +61,18 @@ std::string print(const System& system) {
           [](const Parameter& parameter) { return fmt::format("{} = {}", parameter.name, parameter.value); });
   section(text, "expressions used more than once", write.named());
   section(text, "coordinates", system.coordinates, [&](const Coordinate& coordinate) {
-    return fmt::format("{}: starts at {}", coordinate.name, write(coordinate.initial));
+    const std::string moves = system.speed_of(coordinate) ? "" : fmt::format(", rate {}", write(coordinate.rate));
+    return fmt::format("{}: starts at {}{}", coordinate.name, write(coordinate.initial), moves);
   });
   section(text, "speeds", system.speeds, [&](const Speed& speed) {
     return fmt::format("{}: starts at {}, inertia {}", speed.name, write(speed.initial), write(speed.inertia));
   });
   section(text, "forces", system.forces, [&](const Force& force) {
-    return fmt::format("{}: {} along {}", force.name, write(force.value), system[force.speed].name);
+    return fmt::format("{}: {} along {}", force.name, write(force.value), write(force.along));
   });
+  const auto energy = [&](const Energy& term) { return write(term.value); };
+  section(text, "kinetic energy", system.kinetic, energy);
+  section(text, "potential energy", system.potential, energy);
   section(text, "constraints", system.constraints,
           [&](const Constraint& constraint) { return print(constraint, write); });
   section(text, "outputs", system.outputs,

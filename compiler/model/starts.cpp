@@ -28,7 +28,7 @@ std::set<std::size_t> needed_by(const Arena& arena, const System& system, Expres
       needed.insert(system.coordinates.size() + expression.index);
     } else if (expression.kind == ExpressionKind::Rate) {
       for (const CoordinateId coordinate : arena.coordinates_of(arena.scalar(expression.operands[0]))) {
-        needed.insert(system.coordinates.size() + index(system[coordinate].rate));
+        open.push_back(system[coordinate].rate);
       }
     }
     for (std::size_t k = 0; k < operand_count(expression); ++k) {

@@ -31,7 +31,6 @@ enum class ExpressionKind : std::uint8_t {
   Speed,       ///< `index` is a SpeedId
   Parameter,   ///< `index` is a ParameterId
   Apply,       ///< `op` applied to the first arity(op) `operands`
-  Share,       ///< of the speed `index` in operands[0], a rate: its derivative by that speed
   Rate,        ///< total time derivative along the motion of operands[0]
 };
 
@@ -47,7 +46,7 @@ struct Expression {
 
 struct Coordinate {
   std::string name;      ///< "x1", "bob.x", "p[3].x"
-  SpeedId rate;          ///< the speed that is this coordinate's time derivative
+  ExpressionId rate;     ///< its time derivative, of time, coordinates and speeds; in the simplest case a speed
   ExpressionId initial;  ///< in which coordinates and speeds stand for their starts
   Span span;
 };
@@ -55,7 +54,7 @@ struct Coordinate {
 struct Speed {
   std::string name;          ///< "vx1", "bob.vx"
   std::string acceleration;  ///< "ax1", "bob.ax"
-  ExpressionId inertia;      ///< the mass that resists it; depends on numbers and parameters only
+  ExpressionId inertia;      ///< the mass behind it, of numbers and parameters only; energies may add to it
   ExpressionId initial;
   Span span;
 };
@@ -65,10 +64,16 @@ struct Place {
   std::vector<CoordinateId> position;
 };
 
-/// One additive contribution to the applied force along one speed.
+/// One additive contribution to the applied forces.
 struct Force {
-  std::string name;  ///< for messages and summaries: "force on particle 1, x"
-  SpeedId speed;
+  std::string name;    ///< for messages and summaries: "force on particle 1, x"
+  ExpressionId along;  ///< the velocity that it acts along: its power is value * along
+  ExpressionId value;
+  Span span;
+};
+
+/// One term of the kinetic or of the potential energy.
+struct Energy {
   ExpressionId value;
   Span span;
 };
@@ -124,6 +129,8 @@ struct System {
   std::vector<std::size_t> start_order;
   std::vector<Parameter> parameters;
   std::vector<Force> forces;
+  std::vector<Energy> kinetic;    ///< beside that of the speeds' own inertia
+  std::vector<Energy> potential;  ///< beside that of constant forces
   std::vector<Constraint> constraints;
   std::vector<Output> outputs;
   Integration integration;
@@ -132,6 +139,14 @@ struct System {
   const Coordinate& operator[](CoordinateId id) const { return coordinates[index(id)]; }
   const Speed& operator[](SpeedId id) const { return speeds[index(id)]; }
   const Parameter& operator[](ParameterId id) const { return parameters[index(id)]; }
+
+  /// The speed that is a coordinate's time derivative, if one is.
+  std::optional<SpeedId> speed_of(const Coordinate& coordinate) const {
+    const Expression& rate = (*this)[coordinate.rate];
+    return rate.kind == ExpressionKind::Speed ? std::optional(SpeedId{rate.index}) : std::nullopt;
+  }
+  /// Whether every coordinate's time derivative is the speed of the same index.
+  bool moves_plainly() const;
 };
 
 }  // namespace mbcc::model

@@ -54,6 +54,11 @@ class SystemBuilder {
   template <class Declaration>
   void add(const Declaration& /*known by its name*/, const Instance& /*instance*/) {}
 
+  /// An expression that is a speed.
+  ExpressionId speed_node(std::uint32_t index, Span span) {
+    return *context_.arena.leaf(ExpressionKind::Speed, index, span).node;
+  }
+
   // requirements.cpp
   Value expect_vector(const Operand& operand, std::string_view what) {
     return evaluator_.algebra().expect_vector(operand, what);

@@ -14,15 +14,15 @@ constexpr std::size_t crowd = 4;
 
 /// The sum of the constant forces on all places.
 Vector pull_on(const model::System& system, const mechanics::Equations& equations, const mechanics::Point& point) {
-  std::map<model::SpeedId, std::size_t> axes;
+  std::map<graph::NodeId, std::size_t> axes;  // by velocity
   for (const model::Place& place : system.places) {
     for (std::size_t axis = 0; axis < place.position.size(); ++axis) {
-      axes.emplace(system[place.position[axis]].rate, axis);
+      axes.emplace(equations.kinematics[index(place.position[axis])].id(), axis);
     }
   }
   Vector pull{};
   for (std::size_t i = 0; i < system.forces.size(); ++i) {
-    const auto axis = axes.find(system.forces[i].speed);
+    const auto axis = axes.find(equations.force_velocities[i].id());
     if (axis != axes.end() && equations.forces[i].level() <= graph::Level::Parameter) {
       pull[axis->second] += mechanics::value_at(point, equations.forces[i]);
     }

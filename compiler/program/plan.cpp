@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "mechanics/corrections.hpp"
+#include "mechanics/directions.hpp"
+#include "mechanics/uncouple.hpp"
 
 namespace mbcc::program {
 
@@ -37,7 +39,7 @@ std::vector<Wanted> rows_of(const Island& island, const model::System& system, c
   for (std::size_t k = 0; k < island.rows.size(); ++k) {
     const Row& row = derivatives.rows[island.rows[k]];
     // The rows as the plain solve has them: floors are theirs.
-    for (const Entry& entry : row.entries) {
+    for (const Entry& entry : row.solved) {
       wanted.push_back({Target::Matrix, k * columns + column_of(entry.speed), as_solved(row, entry.value), k});
     }
     wanted.push_back({Target::Residual, k, as_solved(row, row.residual), k});
@@ -104,12 +106,47 @@ std::vector<Wanted> errors_of(const model::System& system, const Derivatives& de
   return wanted;
 }
 
+/// What stands for a displacement or a change along each speed: the leaves of the accelerations.
+std::vector<Expr> changes_along_speeds(std::size_t speeds, graph::Graph& graph) {
+  std::vector<Expr> changes;
+  for (std::uint32_t j = 0; j < speeds; ++j) {
+    changes.push_back(graph.leaf(Kind::Acceleration, j));
+  }
+  return changes;
+}
+
+void plan_couplings(Plan& plan, const model::System& system, const Derivatives& derivatives, graph::Graph& graph) {
+  const std::vector<Expr> changes = changes_along_speeds(system.speeds.size(), graph);
+  const std::vector<Expr> coupled = mechanics::coupled(derivatives.couplings, changes);
+  const std::vector<Expr> uncoupled = mechanics::uncoupled(derivatives.couplings, changes);
+  for (std::size_t j = 0; j < changes.size(); ++j) {
+    if (coupled[j] != changes[j]) {
+      plan.couple.push_back({Target::Shift, j, coupled[j], j});
+      plan.uncouple.push_back({Target::Shift, j, uncoupled[j], j});
+    }
+  }
+}
+
+/// K u for each coordinate, with a displacement along the speeds in the place of u.
+std::vector<Wanted> displacements(const Equations& equations, graph::Graph& graph) {
+  const std::vector<Expr> changes = changes_along_speeds(equations.inertia.size(), graph);
+  std::vector<Expr> moves;
+  for (const Expr rate : equations.kinematics) {
+    Expr move = graph.constant(0);
+    for (const auto& [speed, direction] : mechanics::partials_along_speeds(rate)) {
+      move = move + direction * changes[speed];
+    }
+    moves.push_back(move);
+  }
+  return all_of(Target::Shift, moves);
+}
+
 void name_solve(Plan& plan, const IslandPlan& island_plan, const Island& island, const model::System& system,
                 const Derivatives& derivatives) {
   for (std::size_t k = 0; k < island.rows.size(); ++k) {
     const Row& row = derivatives.rows[island.rows[k]];
     const std::string& constraint = system.constraints[row.constraint].name;
-    for (const Entry& entry : row.entries) {
+    for (const Entry& entry : row.solved) {
       plan.names.emplace_back(as_solved(row, entry.value),
                               fmt::format("A_{}_{}", constraint, system.speeds[entry.speed].name));
     }
@@ -130,8 +167,8 @@ std::vector<Expr> Plan::roots() const {
       roots.push_back(item.value);
     }
   };
-  for (const auto* wanted :
-       {&initial, &kinematics, &free_accelerations, &constraint_errors, &energy, &outputs, &applied_forces}) {
+  for (const auto* wanted : {&initial, &kinematics, &free_accelerations, &constraint_errors, &energy, &outputs,
+                             &applied_forces, &couple, &uncouple, &move}) {
     add(*wanted);
   }
   for (const std::vector<Wanted>& rows : island_rows) {
@@ -188,6 +225,10 @@ Plan make_plan(const model::System& system, const Equations& equations, const De
     if (!in_island[j]) {
       plan.free_accelerations.push_back({Target::Rate, coordinates + j, derivatives.free[j], j});
     }
+  }
+  plan_couplings(plan, system, derivatives, graph);
+  if (!system.moves_plainly() && !derivatives.islands.empty()) {
+    plan.move = displacements(equations, graph);
   }
   plan.constraint_errors = errors_of(system, derivatives, graph);
   if (derivatives.energy) {

@@ -36,6 +36,9 @@ struct Plan {
   std::vector<std::vector<Wanted>> island_rows;  ///< Matrix, Residual, Free, Mobility, errors: by island
   std::vector<IslandPlan> position_shifts;       ///< of islands with holonomic rows
   std::vector<IslandPlan> velocity_shifts;
+  std::vector<Wanted> couple;    ///< Shift of speeds that others' inertia couples
+  std::vector<Wanted> uncouple;  ///< likewise, the other way round
+  std::vector<Wanted> move;      ///< Shift of coordinates, where it is not that of the speeds
   std::vector<Wanted> constraint_errors;
   std::vector<Wanted> energy;
   std::vector<Wanted> outputs;

@@ -139,6 +139,9 @@ struct Program {
   Kernel position_shifts;  ///< onto the constraints, where runs project: else, and without constraints, empty
   Kernel velocity_shifts;
   std::vector<Kernel> island_rows;  ///< one per island
+  Kernel couple;    ///< speeds' changes from those of uncoupled ones, where any are coupled; reads them as u'
+  Kernel uncouple;  ///< the other way round
+  Kernel move;      ///< coordinates' displacements from those along speeds, where they are not the same; likewise
   Kernel constraint_errors;
   Kernel energy;  ///< without stores where the energy is not known
   Kernel outputs;

@@ -262,11 +262,14 @@ program::Program schedule(const model::System& system, const mechanics::Equation
   for (const std::vector<Wanted>& rows : plan.island_rows) {
     program.island_rows.push_back(scheduler.kernel(Level::State, rows));
   }
+  program.couple = scheduler.kernel(Level::State, plan.couple);
+  program.uncouple = scheduler.kernel(Level::State, plan.uncouple);
+  program.move = scheduler.kernel(Level::State, plan.move);
   program.constraint_errors = scheduler.kernel(Level::State, plan.constraint_errors);
   program.energy = scheduler.kernel(Level::State, plan.energy);
   program.outputs = scheduler.kernel(Level::State, plan.outputs);
   program.applied_forces = scheduler.kernel(Level::State, plan.applied_forces);
-  if (with_series) {
+  if (with_series && mechanics::has_constant_inertia(derivatives)) {
     const SeriesPlan series = plan_series(system, equations, derivatives, graph);
     Scheduler series_scheduler(series.roots(), plan.names, program);  // lowers apart: other kernels stay as they are
     program.series = series_scheduler.series(series);

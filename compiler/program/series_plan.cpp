@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "graph/in_order.hpp"
+#include "mechanics/uncouple.hpp"
 #include "program/expansion.hpp"
 
 namespace mbcc::program {
@@ -33,6 +35,7 @@ class SeriesPlanner {
     for (const Island& island : derivatives_.islands) {
       solve(island);
     }
+    accelerations_ = mechanics::coupled(derivatives_.couplings, std::move(accelerations_));
     advance_state();
     update_operands();
     plan_.products = lanes_.product_count(Pace::Fast);
@@ -86,7 +89,7 @@ class SeriesPlanner {
   void add_known_reactions(const Island& island) {
     for (const std::size_t k : island.rows) {
       const Row& row = derivatives_.rows[k];
-      for (const Entry& entry : row.entries) {
+      for (const Entry& entry : row.solved) {
         const auto [factor, rest] = split(as_solved(row, entry.value));
         if (!rests(rest)) {
           const std::size_t lane = lanes_.reaction(pace_of(system_.constraints[k]), rest, k);
@@ -111,7 +114,7 @@ class SeriesPlanner {
   /// A_k c: entries that differ by a number, as the two ends of a rod do, are multiplied once.
   Expr along(const Row& row) {
     std::vector<std::pair<Expr, Expr>> terms;
-    for (const Entry& entry : row.entries) {
+    for (const Entry& entry : row.solved) {
       const auto [factor, rest] = split(as_solved(row, entry.value));
       const Expr multiple = factor * accelerations_[entry.speed];
       const auto same =
@@ -155,7 +158,7 @@ class SeriesPlanner {
   }
 
   void add_newest_reactions(const Row& row, Expr multiplier) {
-    for (const Entry& entry : row.entries) {
+    for (const Entry& entry : row.solved) {
       const auto [factor, rest] = split(as_solved(row, entry.value));
       Expr& acceleration = accelerations_[entry.speed];
       acceleration = acceleration + derivatives_.mobility[entry.speed] * factor * (rest * multiplier);

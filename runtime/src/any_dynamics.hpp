@@ -42,7 +42,7 @@ class AnyDynamics {
   void project(State& y) {
     const std::span<double> all = y;
     const std::size_t coordinates = model_.description().coordinates.size();
-    add(correction_.step(errors_of_position, y), all.first(coordinates));
+    add(correction_.coordinates_of(y, correction_.step(errors_of_position, y)), all.first(coordinates));
     add(correction_.step(errors_of_velocity, y), all.subspan(coordinates));
   }
 

@@ -18,14 +18,14 @@ class Assembly {
  public:
   /// `held` marks coordinates or speeds, as `terms` says.
   Assembly(Correction& correction, const ErrorTerms& terms, std::vector<double>& state, std::span<double> moving,
-           std::vector<bool> held)
+           std::size_t speeds, std::vector<bool> held)
       : correction_(correction),
         terms_(terms),
         state_(state),
         moving_(moving),
         held_(std::move(held)),
-        moved_(moving.size()),
-        step_(moving.size()) {}
+        moved_(speeds),
+        step_(speeds) {}
 
   void assemble() {
     reach();
@@ -87,8 +87,12 @@ class Assembly {
   }
 
   void move(double factor) {
+    const std::span<const double> change =
+        terms_.velocity == 0 ? correction_.coordinates_of(state_, step_) : std::span<const double>(step_);
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+      moving_[i] += factor * change[i];
+    }
     for (std::size_t j = 0; j < step_.size(); ++j) {
-      moving_[j] += factor * step_[j];
       moved_[j] += factor * step_[j];
     }
   }
@@ -98,7 +102,7 @@ class Assembly {
   const std::vector<double>& state_;
   const std::span<double> moving_;  // coordinates or speeds of the state
   const std::vector<bool> held_;
-  std::vector<double> moved_, step_;  // since the beginning, and next
+  std::vector<double> moved_, step_;  // along the speeds: since the beginning, and next
 };
 
 }  // namespace
@@ -109,9 +113,12 @@ void assemble(AnyModel& model, const std::vector<Island>& islands, const std::ve
   const std::size_t coordinates = model.description().coordinates.size();
   const auto first_speed = static_cast<std::ptrdiff_t>(coordinates);
   const std::span<double> all = state;
-  Assembly(correction, errors_of_position, state, all.first(coordinates), {held.begin(), held.begin() + first_speed})
+  const std::size_t speeds = model.description().speeds.size();
+  Assembly(correction, errors_of_position, state, all.first(coordinates), speeds,
+           {held.begin(), held.begin() + first_speed})
       .assemble();
-  Assembly(correction, errors_of_velocity, state, all.subspan(coordinates), {held.begin() + first_speed, held.end()})
+  Assembly(correction, errors_of_velocity, state, all.subspan(coordinates), speeds,
+           {held.begin() + first_speed, held.end()})
       .assemble();
 }
 

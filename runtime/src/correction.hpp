@@ -33,22 +33,31 @@ class Correction {
   double size(const ErrorTerms& terms, std::span<const double> state);
 
   /// The shortest displacement by mass, one number per speed, that the rows at `state` turn into A moved - errors as
-  /// far as they can. `moved` may be empty and stand for zero; `held`, if not empty, marks speeds whose displacement is
-  /// zero. Solved by `climb_off`.
+  /// far as they can. `moved` may be empty and stand for zero; `held`, if not empty, marks what must not change:
+  /// speeds, or in a displacement of positions coordinates. Solved by `climb_off`.
   std::span<const double> step(const ErrorTerms& terms, std::span<const double> state,
                                std::span<const double> moved = {}, const std::vector<bool>& held = {});
+
+  /// How the coordinates move with a displacement along the speeds.
+  std::span<const double> coordinates_of(std::span<const double> state, std::span<const double> along_speeds);
 
  private:
   bool counts(const ErrorTerms& terms, std::size_t island, std::size_t row) const;
   double error(const ErrorTerms& terms, std::size_t island, std::size_t row) const;
+  void fill_rate(std::span<const double> along_speeds);
+  std::vector<std::vector<double>> held_directions(const ErrorTerms& terms, std::size_t island,
+                                                   std::span<const double> state, const std::vector<bool>& held);
   double fill_residuals(const ErrorTerms& terms, std::size_t island, std::span<const double> moved);
-  void solve(std::size_t island, double relative_distance, const std::vector<bool>& held);
+  void solve(std::size_t island, double relative_distance);
 
   AnyModel& model_;
   const Description& description_;
   const std::vector<Island>& islands_;
   std::vector<double> step_;
-  std::vector<double> added_;  // of one island
+  std::vector<double> added_;      // of one island
+  std::vector<double> rate_;       // a change in the place of the speeds
+  std::vector<double> uncoupled_;  // per speed
+  std::vector<double> moved_;      // per coordinate
 };
 
 }  // namespace mbrt

@@ -53,7 +53,8 @@ std::vector<double> relative_residuals(AnyModel& model, const Island& island, in
   const Description& description = model.description();
   const IslandEntry& entry = description.islands[static_cast<std::size_t>(k)];
   const Extents size = extents(description, state);
-  const std::span<const double> acceleration = rate.subspan(description.coordinates.size());
+  std::vector<double> acceleration(description.speeds.size());
+  model.uncouple(state, rate, acceleration);
   model.island_rows(k, state);
   std::vector<double> result;
   for (std::size_t row = 0; row < entry.constraints.size(); ++row) {

@@ -67,7 +67,7 @@ TEST_CASE("coordinates come in order of declaration, and know their speeds") {
       "for i in 1..1 { particle i { mass = 1; position = (0, 0) } }\n");
   std::string names;
   for (const model::Coordinate& coordinate : system.coordinates) {
-    const model::Speed& speed = system[coordinate.rate];
+    const model::Speed& speed = system[*system.speed_of(coordinate)];
     names += coordinate.name + " " + speed.name + " " + speed.acceleration + "; ";
   }
   CHECK(names == "x2 vx2 ax2; y2 vy2 ay2; bob.x bob.vx bob.ax; bob.y bob.vy bob.ay; x1 vx1 ax1; y1 vy1 ay1; ");
@@ -79,10 +79,10 @@ TEST_CASE("many particles are stored axis by axis, and shown in order of declara
         system_of(fmt::format("dimension 2\nfor i in 1..{} {{ particle p[i] {{ mass = 1; position = (i, 0) }} }}\n"
                               "force on p[3] = (0, p[2].vx)\n",
                               particles));
-    CHECK(system[system.forces[0].speed].name == "p[3].vy");
+    CHECK(system.speeds[system[system.forces[0].along].index].name == "p[3].vy");
     std::string stored, declared;
     for (const model::Coordinate& coordinate : system.coordinates) {
-      stored += coordinate.name + " " + system[coordinate.rate].name + "; ";
+      stored += coordinate.name + " " + system[*system.speed_of(coordinate)].name + "; ";
     }
     for (const model::CoordinateId id : system.declared_coordinates) {
       declared += system[id].name + " ";
@@ -195,6 +195,7 @@ TEST_CASE("operands come before what uses them, and nothing is left over") {
     }
   }
   for (std::size_t i = 0; i < system.coordinates.size(); ++i) {
+    use(system.coordinates[i].rate);
     use(system.coordinates[i].initial);
     use(system.speeds[i].initial);
     use(system.speeds[i].inertia);

@@ -46,6 +46,11 @@ class AnyModel {
   virtual void constraint_errors(std::span<const double> state, std::span<const double> rate,
                                  std::span<double> position, std::span<double> velocity,
                                  std::span<double> acceleration) = 0;
+  /// The changes of speeds that those of uncoupled ones stand for, the other way round, and the displacement of the
+  /// coordinates that one along the speeds stands for: `rate` holds what is given in the place of the speeds.
+  virtual void couple(std::span<const double> state, std::span<const double> rate, std::span<double> changes) = 0;
+  virtual void uncouple(std::span<const double> state, std::span<const double> rate, std::span<double> changes) = 0;
+  virtual void move(std::span<const double> state, std::span<const double> rate, std::span<double> moved) = 0;
   virtual double energy(std::span<const double> state) = 0;
   virtual void outputs(std::span<const double> state, std::span<const double> rate, std::span<double> values) = 0;
   virtual void applied_forces(std::span<const double> state, std::span<double> values) = 0;

@@ -53,7 +53,7 @@ struct Description {
   const char* model;         ///< the model's name
   const char* mbcc_version;  ///< of the compiler that emitted it
   std::span<const char* const> coordinates;
-  std::span<const char* const> speeds;         ///< the i-th is the rate of the i-th coordinate
+  std::span<const char* const> speeds;
   std::span<const char* const> accelerations;  ///< one per speed
   std::span<const char* const> outputs;
   std::span<const ParameterEntry> parameters;
@@ -92,6 +92,21 @@ concept HasConstraints = requires(M& model, const typename M::State& state, std:
   model.island_rows(island, state);  // fills island(k).rows at `state`
   // Per constraint: value (untouched where nonholonomic), its time derivative (there: its value), and A u' - b.
   model.constraint_errors(state, state, values, values, values);
+};
+/// Islands are solved for speeds that inertia does not couple (Note [uncoupled speeds],
+/// compiler/mechanics/uncouple.hpp). The second argument holds changes in the place of the speeds; the last one begins
+/// as a copy of these, and what is coupled is replaced: by the changes of the speeds themselves, and the other way
+/// round.
+template <class M>
+concept HasCoupledInertia = requires(M& model, const typename M::State& state, std::span<double> values) {
+  model.couple(state, state, values);
+  model.uncouple(state, state, values);
+};
+/// How the coordinates move with displacements along the speeds, which the second argument holds in the place of the
+/// speeds. A model without this has a speed for each coordinate, its rate.
+template <class M>
+concept HasKinematics = requires(M& model, const typename M::State& state, std::span<double> values) {
+  model.move(state, state, values);
 };
 template <class M>
 concept HasEnergy = requires(M& model, const typename M::State& state) {

@@ -1,6 +1,7 @@
 #pragma once
 // `simulate`: the main program of every emitted simulation.
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -109,6 +110,24 @@ class BoundModel final : public AnyModel {
       model_.constraint_errors(state_, rate_, position, velocity, acceleration);
     }
   }
+  void couple(std::span<const double> state, std::span<const double> rate, std::span<double> changes) override {
+    take_change(state, rate, changes);
+    if constexpr (HasCoupledInertia<M>) {
+      model_.couple(state_, rate_, changes);
+    }
+  }
+  void uncouple(std::span<const double> state, std::span<const double> rate, std::span<double> changes) override {
+    take_change(state, rate, changes);
+    if constexpr (HasCoupledInertia<M>) {
+      model_.uncouple(state_, rate_, changes);
+    }
+  }
+  void move(std::span<const double> state, std::span<const double> rate, std::span<double> moved) override {
+    take_change(state, rate, moved);
+    if constexpr (HasKinematics<M>) {
+      model_.move(state_, rate_, moved);
+    }
+  }
   double energy(std::span<const double> state) override {
     take(state, state_);
     if constexpr (HasEnergy<M>) {
@@ -156,6 +175,13 @@ class BoundModel final : public AnyModel {
 
  private:
   using State = typename M::State;
+
+  void take_change(std::span<const double> state, std::span<const double> rate, std::span<double> change) {
+    take(state, state_);
+    take(rate, rate_);
+    const std::span<const double> of_speeds = rate.subspan(model_.description().coordinates.size());
+    std::copy_n(of_speeds.begin(), std::min(of_speeds.size(), change.size()), change.begin());
+  }
 
   template <class AnyObserver>
   Course run(std::string_view method, const Task& task, std::span<double> state, AnyObserver& observer) {
