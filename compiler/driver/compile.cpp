@@ -58,8 +58,9 @@ Compilation compile(std::string name, std::string text, const CompileOptions& op
   if (c.diagnostics.has_errors() || options.until == Stage::Derivatives) {
     return c;
   }
-  c.program =
-      schedule(*c.system, c.equations, c.derivatives, *c.graph, needs(c.system->integration, model::Code::Series));
+  const bool with_series =
+      needs(c.system->integration, model::Code::Series) && !mechanics::find_changing_inertia(c.derivatives);
+  c.program = schedule(*c.system, c.equations, c.derivatives, *c.graph, with_series);
   return c;
 }
 

@@ -39,9 +39,12 @@ struct MethodCode {
   std::string types;
 };
 
-MethodCode code_of_methods(const model::Integration& integration) {
+MethodCode code_of_methods(const model::Integration& integration, bool has_series) {
   MethodCode code;
   for (const model::Method& method : methods_of(integration)) {
+    if (method.needs == model::Code::Series && !has_series) {
+      continue;  // what `auto` cannot choose
+    }
     code.includes += fmt::format("#include <mbrt/{}.hpp>\n", method.name);
     code.types += fmt::format("{}mbrt::{}", code.types.empty() ? "" : ", ", method.type);
   }
@@ -78,7 +81,7 @@ std::string emit(const program::Program& program, const model::System& system, c
   if (options.library) {
     values.emplace("series_include", program.series ? "#include <mbrt/series.hpp>\n" : "");
   } else {
-    const MethodCode methods = code_of_methods(system.integration);
+    const MethodCode methods = code_of_methods(system.integration, program.series.has_value());
     values.emplace("namespace", name_space);
     values.emplace("method_includes", methods.includes);
     values.emplace("methods", methods.types);

@@ -47,6 +47,7 @@ struct Island {
 
 struct Derivatives {
   std::vector<Expr> free;           ///< nv, a = M^-1 f, of islands along uncoupled speeds
+  std::vector<Expr> inertia;        ///< nv, the diagonal of M; 1 where a constraint determines a speed
   std::vector<Expr> mobility;       ///< nv, 1/m, of uncoupled speeds
   std::vector<Coupling> couplings;  ///< of speeds in islands
   std::vector<Row> rows;            ///< one per constraint, in order
@@ -56,8 +57,9 @@ struct Derivatives {
       energy;  ///< kinetic and potential, where the model declares one or every applied force is constant
 };
 
-/// Whether inertia and couplings in the islands are the same all through a run.
-bool has_constant_inertia(const Derivatives& derivatives);
+/// A speed in an island whose uncoupled inertia or coupling changes during a run: constraints then have no series of
+/// constant matrices. Nothing where there is none.
+std::optional<std::size_t> find_changing_inertia(const Derivatives& derivatives);
 
 /// Differentiates by duals over the graph: one direction per entry of A, the motion itself, twice, for b.
 Derivatives differentiate(const model::System& system, const Equations& equations, graph::Graph& graph);

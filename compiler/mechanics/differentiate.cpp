@@ -128,18 +128,22 @@ void release_unconstrained(Derivatives& derivatives) {
 
 }  // namespace
 
-bool has_constant_inertia(const Derivatives& derivatives) {
-  const auto is_constant = [](Expr value) { return value.level() <= Level::Parameter; };
-  const auto constant_terms = [&](const Coupling& coupling) {
-    return std::all_of(coupling.terms.begin(), coupling.terms.end(),
-                       [&](const Entry& term) { return is_constant(term.value); });
-  };
-  const auto constant_mobility = [&](const Island& island) {
-    return std::all_of(island.speeds.begin(), island.speeds.end(),
-                       [&](std::size_t speed) { return is_constant(derivatives.mobility[speed]); });
-  };
-  return std::all_of(derivatives.couplings.begin(), derivatives.couplings.end(), constant_terms) &&
-         std::all_of(derivatives.islands.begin(), derivatives.islands.end(), constant_mobility);
+std::optional<std::size_t> find_changing_inertia(const Derivatives& derivatives) {
+  const auto changes = [](Expr value) { return value.level() > Level::Parameter; };
+  for (const Island& island : derivatives.islands) {
+    for (const std::size_t speed : island.speeds) {
+      if (changes(derivatives.mobility[speed])) {
+        return speed;
+      }
+    }
+  }
+  for (const Coupling& coupling : derivatives.couplings) {
+    if (std::any_of(coupling.terms.begin(), coupling.terms.end(),
+                    [&](const Entry& term) { return changes(term.value); })) {
+      return coupling.speed;
+    }
+  }
+  return std::nullopt;
 }
 
 Derivatives differentiate(const model::System& system, const Equations& equations, Graph& graph) {
@@ -154,6 +158,10 @@ Derivatives differentiate(const model::System& system, const Equations& equation
     derivatives.rows.push_back(differentiate_constraint(system, equations, k, motion));
   }
   Uncoupled uncoupled = uncouple(energies.inertia, energies.forces, derivatives.rows, initial_point(system, equations));
+  for (std::size_t j = 0; j < energies.inertia.size(); ++j) {
+    const auto diagonal = energies.inertia[j].find(j);
+    derivatives.inertia.push_back(diagonal == energies.inertia[j].end() ? graph.constant(1) : diagonal->second);
+  }
   derivatives.free = std::move(uncoupled.free);
   derivatives.couplings = std::move(uncoupled.couplings);
   derivatives.undetermined = std::move(uncoupled.undetermined);

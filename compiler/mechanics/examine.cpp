@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "mechanics/dependence.hpp"
+#include "mechanics/directions.hpp"
 #include "mechanics/point.hpp"
 
 namespace mbcc {
@@ -34,7 +36,7 @@ class Examiner {
 
   Examination examine(Start start) {
     Examination found;
-    if (!check_start_is_finite()) {
+    if (!check_start_is_finite() || !check_inertia()) {
       return found;
     }
     for (const Row& row : derivatives_.rows) {
@@ -93,9 +95,54 @@ class Examiner {
     return finite;
   }
 
+  bool check_inertia() {
+    for (const std::size_t speed : derivatives_.undetermined) {
+      diagnostics_.report(Finding::NoInertia, system_.speeds[speed].span, system_.speeds[speed].name);
+    }
+    constexpr double rounding = 1e-12;  // what remains of an inertia that is no more than a combination of others
+    const std::vector<double> whole = values_at(start_, derivatives_.inertia);
+    const std::vector<double> mobility = values_at(start_, derivatives_.mobility);
+    for (std::size_t j = 0; j < whole.size(); ++j) {
+      if (!(1 / mobility[j] > rounding * std::abs(whole[j]))) {
+        diagnostics_.report(Finding::InertiaNotPositive, system_.speeds[j].span, system_.speeds[j].name,
+                            1 / mobility[j]);
+      }
+    }
+    check_kinetic_energies();
+    const std::optional<std::size_t> changing = find_changing_inertia(derivatives_);
+    if (system_.integration.method == "taylor" && changing) {
+      diagnostics_.report(Finding::NoSeries, system_.speeds[*changing].span, system_.speeds[*changing].name);
+    }
+    return !diagnostics_.has_errors();
+  }
+
+  /// Note [energies] in energies.hpp: speeds that are no rates may occur where kinematics are constant.
+  void check_kinetic_energies() {
+    std::set<std::size_t> turning;  // speeds that move coordinates in ways that change
+    for (const Expr rate : equations_.kinematics) {
+      for (const auto& [speed, direction] : partials_along_speeds(rate)) {
+        if (direction.level() > graph::Level::Parameter) {
+          turning.insert(speed);
+        }
+      }
+    }
+    for (const model::Coordinate& coordinate : system_.coordinates) {
+      if (const std::optional<model::SpeedId> speed = system_.speed_of(coordinate)) {
+        turning.erase(model::index(*speed));
+      }
+    }
+    for (std::size_t k = 0; k < equations_.kinetic.size(); ++k) {
+      for (const std::uint32_t speed : occurring(equations_.kinetic[k], Kind::Speed)) {
+        if (turning.contains(speed)) {
+          diagnostics_.report(Finding::KineticOfSpeed, system_.kinetic[k].span, system_.speeds[speed].name);
+        }
+      }
+    }
+  }
+
   RowValues evaluate(const Row& row) const {
     std::vector<Expr> expressions{row.value, row.rate, row.residual, row.b};
-    for (const Entry& entry : row.entries) {
+    for (const Entry& entry : row.solved) {
       expressions.push_back(entry.value);
       expressions.push_back(derivatives_.free[entry.speed]);
     }

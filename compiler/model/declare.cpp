@@ -156,6 +156,8 @@ class Unrolling {
       declare_particle(*particle, statement.span, frame);
     } else if (const auto* part = std::get_if<ast::Part>(&statement.node)) {
       declare_part(*part, frame);
+    } else if (const auto* variable = std::get_if<ast::Variable>(&statement.node)) {
+      declare_variable(*variable, statement, frame);
     } else if (std::holds_alternative<ast::Constant>(statement.node)) {
       return;  // declared before all others
     } else if (declared_name(statement) && !std::holds_alternative<ast::Constraint>(statement.node)) {
@@ -264,6 +266,17 @@ class Unrolling {
       particle.name = frame->scope->path_of(element_name(declarator.name, *indices));
     }
     context_.symbols.particles.push_back(particle);
+  }
+
+  void declare_variable(const ast::Variable& syntax, const ast::Statement& statement, Frame* frame) {
+    const std::optional<Indices> indices = enter(*declared_name(statement), context_.symbols.variables.size(), frame);
+    if (indices) {
+      Variable& variable = context_.symbols.variables.emplace_back();
+      variable.name = frame->scope->path_of(element_name(syntax.name.name, *indices));
+      variable.syntax = &syntax;
+      variable.statement = statement.span;
+      variable.frame = frame;
+    }
   }
 
   bool enter_number(double number, Particle& particle, const ast::Declarator& declarator) {

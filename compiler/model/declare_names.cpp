@@ -99,6 +99,9 @@ std::optional<DeclaredName> declared_name(const ast::Statement& statement) {
   if (const auto* particle = std::get_if<ast::Particle>(&statement.node)) {
     return DeclaredName{SymbolKind::Particle, &particle->name};
   }
+  if (const auto* variable = std::get_if<ast::Variable>(&statement.node)) {
+    return DeclaredName{kind_of(variable->kind), &variable->name};
+  }
   if (const auto* constraint = std::get_if<ast::Constraint>(&statement.node); constraint && constraint->label) {
     return DeclaredName{SymbolKind::Constraint, &*constraint->label};
   }

@@ -34,12 +34,16 @@ class Evaluator {
   /// Reports a name for a loop's or sum's index, or a local `let`, that means something else already.
   bool can_be_local(std::string_view name, Span span, const Frame* frame);
 
-  /// What `force on` acts on; both empty if it has been reported.
+  /// What `force on` acts on; all empty if it has been reported.
   struct Target {
     const Particle* particle = nullptr;
     Definition* point = nullptr;
+    const Variable* variable = nullptr;
   };
   Target target(const ast::Expression& target, const Frame* frame);
+
+  /// The coordinate or state whose rate a statement tells; nullptr if it has been reported.
+  Variable* moving(const ast::Motion& motion, const Frame* frame);
 
   Algebra& algebra() { return algebra_; }
 
@@ -50,6 +54,7 @@ class Evaluator {
     Value value;
     Definition* definition = nullptr;
     const Particle* particle = nullptr;
+    const Variable* variable = nullptr;
     const Scope* part = nullptr;
     std::size_t steps = 1;  ///< of the path
   };

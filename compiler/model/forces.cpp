@@ -28,12 +28,26 @@ void SystemBuilder::add_force(std::string_view kind, const Particle& particle, s
       {fmt::format("{} on {}{}", kind, describe(particle), where), along, context_.arena.node(value, span), span});
 }
 
+/// A generalized force: what times the rate of the variable is its power.
+void SystemBuilder::add_force(const Variable& variable, const ast::Expression& expression, const Frame* frame) {
+  const Operand force{evaluator_.evaluate(expression, frame), expression.span};
+  const std::string what = fmt::format("the force on `{}`", variable.name);
+  if (evaluator_.algebra().expect_number(force, what) && expect_independent(force, Quantities::Acceleration, what)) {
+    const ExpressionId along = variable.has_speed() ? speed_node(variable.speed, expression.span)
+                                                    : system_.coordinates[variable.coordinate].rate;
+    system_.forces.push_back({fmt::format("force on `{}`", variable.name), along,
+                              context_.arena.node(force.value[0], expression.span), expression.span});
+  }
+}
+
 void SystemBuilder::add(const ast::ForceOn& force, const Instance& instance) {
   const Evaluator::Target target = evaluator_.target(force.target, instance.frame);
   if (target.particle != nullptr) {
     add_force(*target.particle, force.value, instance.frame);
   } else if (target.point != nullptr) {
     add_force(*target.point, force, instance.frame);
+  } else if (target.variable != nullptr) {
+    add_force(*target.variable, force.value, instance.frame);
   } else {
     evaluator_.evaluate(force.value, instance.frame);  // for what is wrong with it
   }

@@ -47,7 +47,6 @@ void SystemBuilder::add_particles() {
       add_force(particle, force->second->value, particle.frame);
     }
   }
-  order_starts();
 }
 
 void SystemBuilder::add_motion(const Particle& particle, const Fields& fields) {

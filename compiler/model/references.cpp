@@ -77,8 +77,8 @@ Evaluator::Base Evaluator::first(const ast::Step& step, const Frame* frame) {
 }
 
 Evaluator::Base Evaluator::element(const Symbol& symbol, const ast::Step& step, const Frame* frame) {
-  const bool moves =
-      symbol.kind == SymbolKind::Particle || symbol.kind == SymbolKind::Constraint || symbol.kind == SymbolKind::Part;
+  const bool moves = symbol.kind == SymbolKind::Particle || is_variable(symbol.kind) ||
+                     symbol.kind == SymbolKind::Constraint || symbol.kind == SymbolKind::Part;
   if (moves && refuse_unless_structural(step.name, describe(symbol.kind), step.span)) {
     return {};
   }
@@ -109,6 +109,11 @@ Evaluator::Base Evaluator::element(const Symbol& symbol, const ast::Step& step, 
     base.part = &context_.symbols.scopes[found->second.position];
   } else if (symbol.kind == SymbolKind::Particle) {
     base.particle = &context_.symbols.particles[found->second.position];
+  } else if (is_variable(symbol.kind)) {
+    base.variable = &context_.symbols.variables[found->second.position];
+    base.value = base.variable->is_speed()
+                     ? context_.arena.leaf(ExpressionKind::Speed, base.variable->speed, step.span)
+                     : context_.arena.leaf(ExpressionKind::Coordinate, base.variable->coordinate, step.span);
   } else {
     base.definition = &context_.symbols.definitions[found->second.position];
   }

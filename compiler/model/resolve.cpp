@@ -60,8 +60,12 @@ System build(const Statements& statements, Context& context) {
   }
   system.dimension = context.dimension;
   SystemBuilder builder(evaluator, context, system);
+  builder.find_motions(instances);
+  builder.number_variables();
   builder.add_parameters();
   builder.add_particles();
+  builder.add_variables();
+  builder.order_starts();
   for (const Instance& instance : instances) {
     builder.add(instance);
   }

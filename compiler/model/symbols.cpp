@@ -29,12 +29,30 @@ std::string_view describe(SymbolKind kind) {
       return "a port";
     case SymbolKind::Particle:
       return "a particle";
+    case SymbolKind::Coordinate:
+      return "a coordinate";
+    case SymbolKind::Speed:
+      return "a speed";
+    case SymbolKind::State:
+      return "a state";
     case SymbolKind::Constraint:
       return "a constraint";
     case SymbolKind::Part:
       return "a part";
   }
   return {};
+}
+
+SymbolKind kind_of(ast::VariableKind kind) {
+  switch (kind) {
+    case ast::VariableKind::Coordinate:
+      return SymbolKind::Coordinate;
+    case ast::VariableKind::Speed:
+      return SymbolKind::Speed;
+    case ast::VariableKind::State:
+      break;
+  }
+  return SymbolKind::State;
 }
 
 std::string describe(const Particle& particle) {

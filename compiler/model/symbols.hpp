@@ -41,11 +41,30 @@ struct Frame {
 };
 inline bool is_in_loop(const Frame* frame) { return frame->outer != nullptr; }
 
-enum class SymbolKind { Constant, Parameter, Let, Formal, Point, Port, Particle, Constraint, Part };
+enum class SymbolKind {
+  Constant,
+  Parameter,
+  Let,
+  Formal,
+  Point,
+  Port,
+  Particle,
+  Coordinate,
+  Speed,
+  State,
+  Constraint,
+  Part
+};
 std::string_view describe(SymbolKind kind);  ///< "a parameter"
+SymbolKind kind_of(ast::VariableKind kind);
 
 /// Whether what it stands for is a position, with members like those of a particle.
 inline bool is_position(SymbolKind kind) { return kind == SymbolKind::Point || kind == SymbolKind::Port; }
+
+/// Whether it stands for a coordinate, speed or state that is declared as such.
+inline bool is_variable(SymbolKind kind) {
+  return kind == SymbolKind::Coordinate || kind == SymbolKind::Speed || kind == SymbolKind::State;
+}
 
 /// A name for an expression, evaluated when first used. What a part is given is an expression of the system around it.
 struct Definition {
@@ -70,8 +89,25 @@ struct Particle {
 };
 std::string describe(const Particle& particle);  ///< "particle 1", "`bob`"
 
+/// A `coordinate`, `speed` or `state`.
+struct Variable {
+  std::string name;  ///< `theta`, `q[3]`, `upper.theta`
+  const ast::Variable* syntax = nullptr;
+  Span statement;
+  const Frame* frame = nullptr;
+  const ast::Motion* motion = nullptr;  ///< its `kinematics` or `equation`, if it has one
+  const Frame* motion_frame = nullptr;
+  std::uint32_t coordinate = 0;  ///< index, unless it is a speed
+  std::uint32_t speed = 0;       ///< index of a speed, or of a coordinate's rate without kinematics
+
+  bool is_speed() const { return syntax->kind == ast::VariableKind::Speed; }
+  bool is_state() const { return syntax->kind == ast::VariableKind::State; }
+  /// Whether a speed of the System belongs to it.
+  bool has_speed() const { return is_speed() || (!is_state() && motion == nullptr); }
+};
+
 struct Element {
-  std::size_t position = 0;  ///< among the definitions, particles, scopes
+  std::size_t position = 0;  ///< among the definitions, particles, variables, scopes
   Span span;
 };
 
@@ -110,6 +146,7 @@ struct Symbols {
   std::deque<Definition> definitions;
   std::deque<Frame> frames;
   std::vector<Particle> particles;  ///< in order of declaration
+  std::vector<Variable> variables;  ///< in order of declaration
   std::map<long, Element> numbered_particles;
   bool numbers_complete = true;
   std::set<const ast::Declarator*> used;  ///< of definitions

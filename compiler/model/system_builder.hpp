@@ -16,8 +16,14 @@ class SystemBuilder {
   SystemBuilder(Evaluator& evaluator, Context& context, System& system)
       : evaluator_(evaluator), context_(context), system_(system) {}
 
+  /// Finds out which rates statements tell, and numbers coordinates and speeds: before anything is evaluated.
+  void find_motions(const std::vector<Instance>& instances);
+  void number_variables();
+
   void add_parameters();
   void add_particles();  ///< coordinates and speeds, then the forces that are given inside of particles
+  void add_variables();
+  void order_starts();  ///< when all coordinates and speeds are there
   void add(const Instance& instance);
 
  private:
@@ -25,14 +31,21 @@ class SystemBuilder {
   using Fields = std::map<std::string_view, const ast::Field*>;
   void add_motion(const Particle& particle, const Fields& fields);
   Value start_of(const Particle& particle, const ast::Field* field, std::string_view what, Quantities unwanted);
-  void order_starts();  // starts.cpp
   void report_missing(const Particle& particle, std::string_view field);
   ExpressionId mass_of(const Particle& particle, const ast::Field* field);
+
+  // variables.cpp
+  void add_variable(const Variable& variable);
+  ExpressionId start_of(const Variable& variable, const Fields& fields, std::string_view field);
+  ExpressionId rate_of(const Variable& variable);
+  void report_cyclic_rates();
+  void add(const ast::Energy& energy, const Instance& instance);
 
   // forces.cpp
   void add_force(const Particle& particle, const ast::Expression& expression, const Frame* frame);
   void add_force(Definition& point, const ast::ForceOn& force, const Frame* frame);
   void add_force(std::string_view kind, const Particle& particle, std::size_t axis, const Scalar& value, Span span);
+  void add_force(const Variable& variable, const ast::Expression& expression, const Frame* frame);
   void add(const ast::ForceOn& force, const Instance& instance);
   void add(const ast::Gravity& gravity, const Instance& instance);
 

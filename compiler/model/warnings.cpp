@@ -54,7 +54,8 @@ void collect(const std::vector<ast::Statement>& statements, Expressions& all) {
 void collect(const ast::Statement& statement, Expressions& all) {
   const auto of_node = [&](const auto& node) {
     using Node = std::decay_t<decltype(node)>;
-    if constexpr (std::is_same_v<Node, ast::Particle> || std::is_same_v<Node, ast::Integrate>) {
+    if constexpr (std::is_same_v<Node, ast::Particle> || std::is_same_v<Node, ast::Variable> ||
+                  std::is_same_v<Node, ast::Integrate>) {
       collect(node.fields, all);
     } else if constexpr (std::is_same_v<Node, ast::Constraint>) {
       append(all, node.sides);

@@ -269,7 +269,7 @@ program::Program schedule(const model::System& system, const mechanics::Equation
   program.energy = scheduler.kernel(Level::State, plan.energy);
   program.outputs = scheduler.kernel(Level::State, plan.outputs);
   program.applied_forces = scheduler.kernel(Level::State, plan.applied_forces);
-  if (with_series && mechanics::has_constant_inertia(derivatives)) {
+  if (with_series) {
     const SeriesPlan series = plan_series(system, equations, derivatives, graph);
     Scheduler series_scheduler(series.roots(), plan.names, program);  // lowers apart: other kernels stay as they are
     program.series = series_scheduler.series(series);

@@ -117,6 +117,24 @@ struct Particle {
   Declarator name;
   std::vector<Field> fields;
 };
+enum class VariableKind { Coordinate, Speed, State };
+struct Variable {
+  VariableKind kind = VariableKind::Coordinate;
+  Declarator name;
+  std::vector<Field> fields;
+};
+enum class MotionKind { Kinematics, Equation };
+/// `kinematics theta' = s/r`, `equation i' = -R*i/L`.
+struct Motion {
+  MotionKind kind = MotionKind::Kinematics;
+  Expression target;  ///< a Reference: what moves, without its prime
+  Expression value;
+};
+enum class EnergyKind { Kinetic, Potential };
+struct Energy {
+  EnergyKind kind = EnergyKind::Kinetic;
+  Expression value;
+};
 /// `constraint label : left = right`; without `=` the left side is zero. More than two sides is the user's mistake.
 struct Constraint {
   std::optional<Declarator> label;
@@ -182,8 +200,9 @@ struct Unsupported {
   std::string keyword;
 };
 
-using StatementNode = std::variant<System, Dimension, Particle, Constraint, Let, Constant, Parameter, Output, ForceOn,
-                                   Gravity, Import, Integrate, Module, Part, Point, Port, For, Unsupported>;
+using StatementNode =
+    std::variant<System, Dimension, Particle, Variable, Motion, Energy, Constraint, Let, Constant, Parameter, Output,
+                 ForceOn, Gravity, Import, Integrate, Module, Part, Point, Port, For, Unsupported>;
 struct Statement;
 
 struct Module {

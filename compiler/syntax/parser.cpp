@@ -34,6 +34,13 @@ bool is_sign(const Token& token) { return token.kind == TokenKind::Plus || token
 bool is_times(const Token& token) { return token.kind == TokenKind::Star || token.kind == TokenKind::Slash; }
 bool compares(const Token& token) { return is_comparison(token.kind); }
 bool is_word(const Token& token) { return token.kind == TokenKind::Name || is_reserved(token.kind); }
+bool declares_variable(const Token& token) {
+  return token.kind == TokenKind::Coordinate || token.kind == TokenKind::Speed || token.kind == TokenKind::State;
+}
+bool tells_motion(const Token& token) {
+  return token.kind == TokenKind::Kinematics || token.kind == TokenKind::Equation;
+}
+bool tells_energy(const Token& token) { return token.kind == TokenKind::Kinetic || token.kind == TokenKind::Potential; }
 bool names_field(const Token& token) { return token.kind == TokenKind::Name || token.kind == TokenKind::Force; }
 bool ends_statement(const Token& token) {
   return token.kind == TokenKind::Separator || token.kind == TokenKind::BraceRight ||
@@ -126,6 +133,10 @@ const x3::rule<class system_id, ast::System> system("a statement");
 const x3::rule<class dimension_id, ast::Dimension> dimension("a statement");
 const x3::rule<class particle_id, ast::Particle> particle("a statement");
 const x3::rule<class particle_name_id, ast::Declarator> particle_name(expected::name_or_number.data());
+const x3::rule<class variable_id, ast::Variable> variable("a statement");
+const x3::rule<class motion_id, ast::Motion> motion("a statement");
+const x3::rule<class moving_id, ast::Expression> moving("a name");
+const x3::rule<class energy_id, ast::Energy> energy("a statement");
 const x3::rule<class constraint_id, ast::Constraint> constraint("a statement");
 const x3::rule<class let_id, ast::Let> let("a statement");
 const x3::rule<class constant_id, ast::Constant> constant("a statement");
@@ -157,16 +168,28 @@ const auto model_def = statements[append_statements] >>
                        token(TokenKind::EndOfFile);
 const auto statements_def = -whole_statement[append_finished] >> *(separator >> -whole_statement[append_finished]);
 const auto whole_statement_def = recovering(placed(!end >> x3::expect[statement][into(&ast::Statement::node)]));
-const auto statement_def = system[take] | dimension[take] | particle[take] | constraint[take] | let[take] |
-                           constant[take] | parameter[take] | output[take] | force_on[take] | gravity[take] |
-                           import_file[take] | integrate[take] | module_definition[take] | part[take] | point[take] |
-                           port[take] | for_loop[take] | unsupported[take];
+const auto statement_def = system[take] | dimension[take] | particle[take] | variable[take] | motion[take] |
+                           energy[take] | constraint[take] | let[take] | constant[take] | parameter[take] |
+                           output[take] | force_on[take] | gravity[take] | import_file[take] | integrate[take] |
+                           module_definition[take] | part[take] | point[take] | port[take] | for_loop[take] |
+                           unsupported[take];
 
 const auto system_def = token(TokenKind::System) > name[text_into(&ast::System::name, &ast::System::name_span)] > end;
 const auto dimension_def = token(TokenKind::Dimension) > expression[into(&ast::Dimension::value)] > end_of_value;
 const auto particle_def =
     token(TokenKind::Particle) > particle_name[into(&ast::Particle::name)] > block[into(&ast::Particle::fields)] > end;
 const auto particle_name_def = placed(declared[take] | natural[take_particle_number]);
+const auto variable_def =
+    token_where(declares_variable, expected::statement)[made_into(&ast::Variable::kind, tree::variable_kind)] >
+    declared[into(&ast::Variable::name)] > block[into(&ast::Variable::fields)] > end;
+const auto motion_def = token_where(tells_motion,
+                                    expected::statement)[made_into(&ast::Motion::kind, tree::motion_kind)] >
+                        moving[into(&ast::Motion::target)] > token(TokenKind::Prime) > equals
+                        > expression[into(&ast::Motion::value)] > end_of_value;
+const auto moving_def = placed(reference[take_node]);
+const auto energy_def =
+    token_where(tells_energy, expected::statement)[made_into(&ast::Energy::kind, tree::energy_kind)] >
+    expression[into(&ast::Energy::value)] > end_of_value;
 const auto constraint_def = token(TokenKind::Constraint) > -declared[into(&ast::Constraint::label)] >
                             token(TokenKind::Colon,
                                   "`:` before the equation") > expression[append_to(&ast::Constraint::sides)] >
@@ -217,10 +240,10 @@ const auto declared_def = placed(name[text_into(&ast::Declarator::name)] >> -ind
 
 const auto plain_name_def = placed(name[text_into(&ast::Declarator::name)]);
 
-BOOST_SPIRIT_DEFINE(model, statements, whole_statement, statement, system, dimension, particle, particle_name,
-                    constraint, let, constant, parameter, output, force_on, target, gravity, import_file, integrate,
-                    module_definition, formals, formal, part, givens, given, point, port, for_loop, unsupported, group,
-                    block, field, declared, plain_name)
+BOOST_SPIRIT_DEFINE(model, statements, whole_statement, statement, system, dimension, particle, particle_name, variable,
+                    motion, moving, energy, constraint, let, constant, parameter, output, force_on, target, gravity,
+                    import_file, integrate, module_definition, formals, formal, part, givens, given, point, port,
+                    for_loop, unsupported, group, block, field, declared, plain_name)
 
 }  // namespace
 }  // namespace mbcc::grammar

@@ -110,6 +110,20 @@ class StatementText {
   std::string operator()(const ast::Particle& node) {
     return fmt::format("particle {}\n", text_of(node.name)) + fields(node.fields);
   }
+  std::string operator()(const ast::Variable& node) {
+    const std::string_view word = node.kind == ast::VariableKind::Coordinate ? "coordinate"
+                                  : node.kind == ast::VariableKind::Speed    ? "speed"
+                                                                             : "state";
+    return fmt::format("{} {}\n", word, text_of(node.name)) + fields(node.fields);
+  }
+  std::string operator()(const ast::Motion& node) {
+    const std::string_view word = node.kind == ast::MotionKind::Kinematics ? "kinematics" : "equation";
+    return fmt::format("{} {}' = {}\n", word, text_of(node.target), text_of(node.value));
+  }
+  std::string operator()(const ast::Energy& node) {
+    const std::string_view word = node.kind == ast::EnergyKind::Kinetic ? "kinetic" : "potential";
+    return fmt::format("{} {}\n", word, text_of(node.value));
+  }
   std::string operator()(const ast::Constraint& node) {
     return fmt::format("constraint {}: {}\n", node.label ? text_of(*node.label) + " " : "", list_of(node.sides, " = "));
   }

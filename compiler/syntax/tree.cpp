@@ -123,6 +123,20 @@ ast::Expression rate(ast::Expression operand, const Token& prime) {
   return expression(span, ast::Rate{single(std::move(operand))});
 }
 
+ast::VariableKind variable_kind(const Token& word) {
+  return word.kind == TokenKind::Coordinate ? ast::VariableKind::Coordinate
+         : word.kind == TokenKind::Speed    ? ast::VariableKind::Speed
+                                            : ast::VariableKind::State;
+}
+
+ast::MotionKind motion_kind(const Token& word) {
+  return word.kind == TokenKind::Kinematics ? ast::MotionKind::Kinematics : ast::MotionKind::Equation;
+}
+
+ast::EnergyKind energy_kind(const Token& word) {
+  return word.kind == TokenKind::Kinetic ? ast::EnergyKind::Kinetic : ast::EnergyKind::Potential;
+}
+
 std::optional<ast::Number> number(const Token& token) {
   ast::Number number;
   number.is_natural = token.kind == TokenKind::Natural;

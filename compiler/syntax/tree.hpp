@@ -22,6 +22,10 @@ ast::Expression comparison(ast::Expression left, const Token& op, ast::Expressio
 ast::Expression with_signs(const std::vector<Token>& signs, ast::Expression operand);
 ast::Expression rate(ast::Expression operand, const Token& prime);
 
+ast::VariableKind variable_kind(const Token& word);
+ast::MotionKind motion_kind(const Token& word);
+ast::EnergyKind energy_kind(const Token& word);
+
 /// Empty if the number is beyond the range of a double.
 std::optional<ast::Number> number(const Token& token);
 

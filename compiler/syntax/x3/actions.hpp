@@ -36,6 +36,12 @@ auto text_into(Member member, Place place) {
   };
 }
 
+/// What `function` makes of a token.
+template <class Member, class Function>
+auto made_into(Member member, Function function) {
+  return [member, function](auto& context) { x3::_val(context).*member = function(x3::_attr(context)); };
+}
+
 inline const auto take = [](auto& context) { x3::_val(context) = std::move(x3::_attr(context)); };
 inline const auto append = [](auto& context) { x3::_val(context).push_back(std::move(x3::_attr(context))); };
 
