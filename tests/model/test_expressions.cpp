@@ -107,7 +107,7 @@ TEST_CASE("a `let` is computed once, however often it is used") {
   }
   const model::System system =
       test::system_of("particle 1 { mass = 1; position = (1, 0, 0) }\n" + chain + "output last = a200\n");
-  const std::size_t of_particle = 3;  // numbers 1 and 0, and one more for the leaves below
+  const std::size_t of_particle = 6;  // numbers 1 and 0, three rates, and one more for the leaves below
   CHECK(system.expressions.size() < of_particle + 2 + 1 + 200 + 1);
 }
 
