@@ -21,11 +21,12 @@ constexpr std::size_t line_colours = 7;
 constexpr std::size_t pale = 10;  // how far behind a line type its pale, broad one is
 constexpr std::size_t first_result_label = 11;
 
-/// A text between single quotes, where gnuplot takes every letter for itself.
+/// A text between single quotes, where gnuplot takes every letter for itself, joined to what it has of single quotes:
+/// two that follow each other, as in `theta''`, it does not read there.
 std::string quoted(std::string_view text) {
   std::string result = "'";
   for (const char letter : text) {
-    result += letter == '\'' ? std::string("''") : std::string(1, letter);
+    result += letter == '\'' ? std::string("'.\"'\".'") : std::string(1, letter);
   }
   return result + "'";
 }

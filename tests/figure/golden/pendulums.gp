@@ -94,7 +94,7 @@ set multiplot
 set arrow 1 from screen 0.14667, screen 0.98022 to screen 0.19556, screen 0.98022 nohead linetype 17 dashtype 1
 set label 11 'long.csv' noenhanced at screen 0.19556, screen 0.98022 offset 0.6, 0
 set arrow 2 from screen 0.41867, screen 0.98022 to screen 0.46756, screen 0.98022 nohead linetype 7 dashtype 2
-set label 12 'it''s short.csv' noenhanced at screen 0.46756, screen 0.98022 offset 0.6, 0
+set label 12 'it'."'".'s short.csv' noenhanced at screen 0.46756, screen 0.98022 offset 0.6, 0
 
 set label 2 'bob' noenhanced at screen 0.14667, screen 0.92986 font ',13' textcolor rgb '#000000'
 set lmargin at screen 0.14667; set rmargin at screen 0.94667
@@ -144,7 +144,7 @@ set multiplot
 set arrow 1 from screen 0.14667, screen 0.98022 to screen 0.19556, screen 0.98022 nohead linetype 17 dashtype 1
 set label 11 'long.csv' noenhanced at screen 0.19556, screen 0.98022 offset 0.6, 0
 set arrow 2 from screen 0.41867, screen 0.98022 to screen 0.46756, screen 0.98022 nohead linetype 7 dashtype 2
-set label 12 'it''s short.csv' noenhanced at screen 0.46756, screen 0.98022 offset 0.6, 0
+set label 12 'it'."'".'s short.csv' noenhanced at screen 0.46756, screen 0.98022 offset 0.6, 0
 
 set label 2 'outputs' noenhanced at screen 0.14667, screen 0.92986 font ',13' textcolor rgb '#000000'
 set lmargin at screen 0.14667; set rmargin at screen 0.94667
