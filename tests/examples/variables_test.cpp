@@ -45,6 +45,24 @@ TEST_CASE("spherical pendulum: two descriptions, the published end state, energy
   }
 }
 
+TEST_CASE("a speed without inertia is projected, stabilized and assembled like others") {
+  const std::vector<std::string> steps = {"--method", "rk4", "--step", "0.001"};
+  const auto with = [&steps](std::vector<std::string> flags) {
+    flags.insert(flags.end(), steps.begin(), steps.end());
+    return run_example("spherical_pendulum_speed", flags);
+  };
+  for (const Run& run : {with({"--project", "on"}), with({"--stabilize", "1,1,1"})}) {
+    CHECK(run.table.last("bob.x") == near(0.83156816, 1e-8));  // rk4 at this step, and the printed digits
+    CHECK(run.summary["constraints"]["definition"]["velocity"].get<double>() < 1e-10);
+  }
+  const Table off = with({"--assemble", "--initial", "bob.x=0.9", "--fix", "square", "--to", "0"}).table;
+  const auto at = [&off](const std::string& column) { return off[column].front(); };
+  CHECK(at("bob.x") == 0.9);
+  CHECK(at("square") == 2.25);
+  CHECK(std::hypot(at("bob.x"), at("bob.y"), at("bob.z")) == near(1, 1e-14));
+  CHECK(std::hypot(at("bob.vx"), at("bob.vy"), at("bob.vz")) == near(1.5, 1e-14));
+}
+
 TEST_CASE("cart and pendulum: no momentum along the rail, energy conserved") {
   const Run run = run_example("cart_pendulum");
   CHECK(run.summary["energy"]["max_drift"].get<double>() < 1e-10);
