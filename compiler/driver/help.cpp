@@ -50,6 +50,13 @@ constexpr std::string_view language = R"(A model in one page
   for i in 1..N { particle p[i] { mass = 1; position = (i, 0) } }
   let r = norm(bob.position)
   output tension = sum(i in 1..N, p[i].x)
+  point middle = bob.position/2            # a position, on which forces may act
+  module Swing(m, L = 1) {                 # a system with parameters and ports ...
+    point pivot = (0, 0)
+    particle seat { mass = m; position = pivot + (L, 0) }
+    constraint rope : norm(seat.position - pivot) = L
+  }
+  part swing = Swing(m = 10) { pivot = middle }    # ... as a part of this one: swing.seat.x
   integrate { from = 0; to = 10; step = 0.001; method = rk4 }
 
 A prime is the total time derivative: (x1*y1)'. Holonomic or not is decided from the variables that occur.

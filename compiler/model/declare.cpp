@@ -119,8 +119,9 @@ class Unrolling {
       const bool is_constant = std::holds_alternative<ast::Constant>(statement.node);
       context_.report.report(Finding::NotInLoop, statement.keyword_span, context_.sources.text(statement.keyword_span),
                              is_constant ? ": use `let`" : "");
-    } else if (std::holds_alternative<ast::Port>(statement.node) && frame->scope->module == nullptr) {
+    } else if (const auto* port = std::get_if<ast::Port>(&statement.node); port && frame->scope->module == nullptr) {
       context_.report.report(Finding::OnlyInModule, statement.keyword_span);
+      frame->scope->refused.insert(port->name.name);
     } else if (const auto* unsupported = std::get_if<ast::Unsupported>(&statement.node)) {
       context_.report.report(Finding::NotSupportedYet, statement.keyword_span, unsupported->keyword);
     } else {

@@ -116,6 +116,34 @@ model.mbd:1:15: note: `{` opens here
 for i in 1..3 {
               ^
 )"},
+      {Finding::Expected, "module Pendulum(m L) {}", R"(model.mbd:1:19: error: expected `,` or `)`, found `L`
+module Pendulum(m L) {}
+                  ^
+model.mbd:1:16: note: `(` opens here
+module Pendulum(m L) {}
+               ^
+)"},
+      {Finding::Expected, "module Pendulum {}", R"(model.mbd:1:17: error: expected `(`, found `{`
+module Pendulum {}
+                ^
+)"},
+      {Finding::Expected, "part upper = Pendulum(1, 0.5)",
+       R"(model.mbd:1:23: error: expected a name or `)`, found `1`
+part upper = Pendulum(1, 0.5)
+                      ^
+model.mbd:1:22: note: `(` opens here
+part upper = Pendulum(1, 0.5)
+                     ^
+)"},
+      {Finding::Expected, "part upper = Pendulum(m, L = 1)", R"(model.mbd:1:24: error: expected `=`, found `,`
+part upper = Pendulum(m, L = 1)
+                       ^
+)"},
+      {Finding::Expected, "part upper = Pendulum() (0, 0)",
+       R"(model.mbd:1:25: error: expected `{` or the end of the statement, found `(`
+part upper = Pendulum() (0, 0)
+                        ^
+)"},
       {Finding::UnknownStatement, "partcle 1 { mass = 1 }",
        R"(model.mbd:1:1: error: no statement begins with `partcle`; did you mean `particle`?
 partcle 1 { mass = 1 }

@@ -88,6 +88,9 @@ gravity (0, -9.81)
 output height = z1
 for i in 1..N { let q[i] = i; for j in i..N { constraint : x } }
 integrate { from = 0; method = rk4 }
+module Arm(m, L = 2*m) { port root; point tip[i] = root; module Hand() {
+} }
+part arm[1] = Arm(m = 1, L = 2) { root = (0, 0); tip = a }; part hand = Hand()
 body rod { mass = 1
   { x } } )") == R"(system artigo5
 dimension 3
@@ -112,6 +115,17 @@ for i in 1 .. N
 integrate
   from = 0
   method = rk4
+module Arm m L = (* 2 m)
+  port root
+  point tip[i] = root
+  module Hand
+part arm[1] = Arm
+  m = 1
+  L = 2
+  ports
+  root = (vector 0 0)
+  tip = a
+part hand = Hand
 unsupported body
 )");
 }
