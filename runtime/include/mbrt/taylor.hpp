@@ -28,9 +28,14 @@ inline std::size_t order_for(double tolerance) {
   return static_cast<std::size_t>(std::clamp(order, 4.0, static_cast<double>(largest_order)));
 }
 
-/// The steps of the method: a `Stepper`. Where a model has no series at a state, because its constraints change their
-/// rank there or a function has none, the step is one of dop853.
-/// `M::Series` holds coefficients, its own or Coefficients.
+/// The steps of the method: a `Stepper`. `M::Series` holds coefficients, its own or Coefficients.
+///
+/// Note [places without a series]: near a change of rank, and where a function has none, there is no series at a state.
+/// Motions pass most such places smoothly, and so does a series that starts before them, if not too near: rounding
+/// makes a pole there, whose part in the term of order k grows with the k-th power of step over distance. A step that
+/// would end where islands are hard to solve is tried again much shorter, so that the next one may pass well beyond.
+/// Where that does not help, steps are those of dop853. Their states are tried for a series, too, ever less often while
+/// there is none: some scenes have one nowhere.
 template <HasSeries M>
 class TaylorStepper {
  public:
@@ -40,32 +45,42 @@ class TaylorStepper {
 
   /// For states of the size of `like`.
   explicit TaylorStepper(const State& like)
-      : begin_(like), end_(like), rate_(like), carry_(like), per_allowed_(like), fallback_(like), series_(1) {}
+      : begin_(like),
+        end_(like),
+        rate_(like),
+        carry_(like),
+        begin_carry_(like),
+        per_allowed_(like),
+        fallback_(like),
+        series_(1) {}
 
   State& state() { return end_; }
   State& rate() { return rate_; }
   const State& start() const { return begin_; }
   double step() const { return step_; }
-  long evaluations() const { return expansions_ + fallback_.evaluations(); }
+  long evaluations() const { return evaluations_ + fallback_.evaluations(); }
   long fallbacks() const { return fallbacks_; }
   std::size_t worst_component() const { return fallback_.worst_component(); }
 
-  void begin(M& /*model*/, const Task& task) {
+  void begin(M& model, const Task& task) {
     task_ = task;
     order_ = order_for(task.tolerance);
     expanded_ = end_;
     std::fill(carry_.begin(), carry_.end(), 0.0);
+    may_lose_rank_ = false;
+    if constexpr (Projectable<M>) {
+      for (const auto& island : model.description().islands) {
+        may_lose_rank_ = may_lose_rank_ || island.constraints.size() > 1;
+      }
+    }
   }
 
   Attempt attempt(M& model, double time, double to) {
-    if (!falls_back_ || arrived_) {
+    if (arrived_) {
       leave();
-      falls_back_ = !expand(model, time, to);
-      if (falls_back_) {
-        begin_fallback(model, time, to);
-      }
+      choose(model, time, to);
     }
-    return falls_back_ ? attempt_fallback(model, time, to) : advance(time, to);
+    return falls_back_ ? attempt_fallback(model, time, to) : advance(model, time, to);
   }
 
   void between(M& model, double time, State& y) {
@@ -94,11 +109,35 @@ class TaylorStepper {
       carry_[j] = end_[j] == expanded_[j] ? carry_[j] : 0;
     }
     begin_ = end_;
+    begin_carry_ = carry_;
     arrived_ = false;
+    shortened_ = 0;
+  }
+
+  /// The way to take the next step: Note [places without a series].
+  void choose(M& model, double time, double to) {
+    const bool fell_back = falls_back_;
+    if (fell_back && waits_ > 0) {
+      --waits_;
+    } else {
+      falls_back_ = !expand(model, time, to);
+      waits_ = longest_wait_;
+      longest_wait_ = falls_back_ ? std::min(2 * longest_wait_ + 1, 15) : 0;
+    }
+    if (falls_back_) {
+      ++fallbacks_;
+      model.set_time(time);
+      fallback_.state() = begin_;
+      model.rates(begin_, fallback_.rate());
+      ++evaluations_;
+      if (!fell_back) {
+        begin_fallback(model, time, to);
+      }
+    }
   }
 
   bool expand(M& model, double time, double to) {
-    ++expansions_;
+    ++evaluations_;
     model.set_time(time);  // an observer may have set another
     if (!model.expand(begin_, order_, series_[0])) {
       return false;
@@ -179,20 +218,38 @@ class TaylorStepper {
     return std::isfinite(sum) ? std::exp2(-shortening) : 0;
   }
 
-  Attempt advance(double time, double to) {
+  Attempt advance(M& model, double time, double to) {
     const double end = ends_at_switch_ ? std::min(time + step_, to) : landing(time, step_, to);
     time_ = time;
     sum_series(end - time, end_);
     for (std::size_t j = 0; j < end_.size(); ++j) {
-      const double change = end_[j] + carry_[j];
+      const double change = end_[j] + begin_carry_[j];
       const double sum = begin_[j] + change;
       const double part = sum - begin_[j];
       carry_[j] = (begin_[j] - (sum - part)) + (change - part);  // the rounding error of the sum (Knuth)
       end_[j] = sum;
     }
+    constexpr int most_shortenings = 3;
+    if (may_lose_rank_ && shortened_ < most_shortenings && end < to && is_hard(model, end)) {
+      ++shortened_;
+      step_ = 0.4 * (end - time);
+      return {end, 2};
+    }
     expanded_ = end_;
     arrived_ = true;
     return {end, 1};
+  }
+
+  /// Whether an island is not solved the plain way at the step's end.
+  [[gnu::noinline]] bool is_hard(M& model, double end) {
+    if constexpr (Projectable<M>) {
+      const long before = climbs(model);
+      model.set_time(end);
+      model.rates(end_, rate_);
+      ++evaluations_;
+      return climbs(model) != before;
+    }
+    return false;
   }
 
   /// y = sum of the terms behind the first, smallest first, those of even and of odd order in two sums.
@@ -216,9 +273,6 @@ class TaylorStepper {
   }
 
   void begin_fallback(M& model, double time, double to) {
-    ++fallbacks_;
-    fallback_.state() = begin_;
-    model.rates(begin_, fallback_.rate());
     Task task = task_;
     task.from = time;
     task.to = to;
@@ -244,6 +298,7 @@ class TaylorStepper {
   State expanded_;  ///< the end as it was computed
   State rate_;
   State carry_;        ///< what is missing in the state by rounding
+  State begin_carry_;  ///< and in that at the begin of the step
   State per_allowed_;  ///< 1 / error that the tolerance allows in a component
   Dop853Stepper<State> fallback_;
   std::vector<typename M::Series> series_;  ///< one, on the heap: those of large models do not fit on every stack
@@ -254,7 +309,11 @@ class TaylorStepper {
   bool arrived_ = true;
   bool falls_back_ = false;
   bool ends_at_switch_ = false;
-  long expansions_ = 0;
+  bool may_lose_rank_ = false;
+  int shortened_ = 0;     ///< how often this step was, for the sake of its end
+  int waits_ = 0;         ///< steps to be left to dop853 before the next expansion is tried
+  int longest_wait_ = 0;  ///< after an expansion that fails
+  long evaluations_ = 0;  ///< and expansions; not those of dop853
   long fallbacks_ = 0;
 };
 
