@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
 
 #include "mechanics/dependence.hpp"
 #include "mechanics/point.hpp"
@@ -80,6 +81,36 @@ bool agrees(const Dependence& dependence, const std::map<std::size_t, double>& s
   return std::abs(difference) <= same_coefficient * size;
 }
 
+/// Whether values of the row come from pieces of functions (abs, max, if and others).
+bool is_piecewise(const Row& row) {
+  std::vector<Expr> rest{row.b};
+  for (const Entry& entry : row.entries) {
+    rest.push_back(entry.value);
+  }
+  std::set<Expr> seen;
+  while (!rest.empty()) {
+    const Expr expression = rest.back();
+    rest.pop_back();
+    if (!seen.insert(expression).second) {
+      continue;
+    }
+    const graph::Node& node = expression.node();
+    if (node.kind == graph::Kind::Apply && graph::row(node.op).recurrence == graph::Recurrence::Switch) {
+      return true;
+    }
+    for (const graph::NodeId operand : node.used_operands()) {
+      rest.push_back(expression.graph().at(operand));
+    }
+  }
+  return false;
+}
+
+bool is_piecewise(const Dependence& dependence, const Derivatives& derivatives) {
+  return is_piecewise(derivatives.rows[dependence.row]) ||
+         std::any_of(dependence.on.begin(), dependence.on.end(),
+                     [&](const auto& on) { return is_piecewise(derivatives.rows[on.first]); });
+}
+
 bool same(const Dependence& a, const Dependence& b) {
   return a.row == b.row && a.on.size() == b.on.size() &&
          std::equal(a.on.begin(), a.on.end(), b.on.begin(), [](const auto& on_a, const auto& on_b) {
@@ -119,7 +150,9 @@ std::vector<std::size_t> find_implied_rows(const Island& island, const model::Sy
   std::vector<std::size_t> rows;
   if (found == points_needed) {
     for (const Dependence& dependence : *implied) {
-      rows.push_back(dependence.row);
+      if (!is_piecewise(dependence, derivatives)) {
+        rows.push_back(dependence.row);
+      }
     }
   }
   return rows;

@@ -10,7 +10,8 @@
 // ladder meets them state by state.
 //
 // Whether a row is such a combination is decided by its values at random states: an identity holds at all of them; what
-// is no identity holds at three random points with probability zero.
+// is no identity holds at three random points with probability zero. That is true of analytic functions alone: rows
+// with `abs`, `max`, `if` and the like may agree near the start and nowhere else, and are never held.
 
 #include <vector>
 

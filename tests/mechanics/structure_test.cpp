@@ -177,6 +177,7 @@ constraint b : (x2 - x1)^2 + (y2 - y1)^2 = 1
   CHECK(held("constraint c : 1e-8*(x1^2 + y1^2 - 1) = 0\n") == std::vector<std::size_t>{2});
   CHECK(held("constraint c : x1^2 + y1^2 + (x2 - x1)^2 + (y2 - y1)^2 = 2\n") == std::vector<std::size_t>{2});
   CHECK(held("constraint c : x1*vx1 + y1*vy1 = 0\n") == std::vector<std::size_t>{2});
+  CHECK(held("constraint c : x1^2 + y1^2 + max(t - 1, 0)^3 = 1\n").empty());         // the same near the start alone
   CHECK(held("constraint c : norm((x1, y1)) = 1\n").empty());                        // with a factor that varies
   CHECK(held("constraint c : x1^2 + 2*y1^2 = 1\n").empty());                         // at the start alone
   CHECK(held("constraint c : x1^2 + y1^2 + 1e-6*((x2 - 2)^2 + y2) = 1\n").empty());  // nearly
