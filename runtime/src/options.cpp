@@ -206,7 +206,8 @@ void check_step(const Options& options) {
   if (steps > 1 / std::numeric_limits<double>::epsilon()) {
     throw UsageError{fmt::format("the step {} is too small: {:.3g} steps", options.step, steps)};
   }
-  if (std::abs(steps - std::round(steps)) > 1e-9 * std::max(1.0, steps)) {
+  const double whole = steps > 0 ? std::max(1.0, std::round(steps)) : 0;
+  if (std::abs(steps - whole) > 1e-9 * std::max(1.0, steps)) {
     fmt::print(stderr, "warning: the step {} does not divide the span from {} to {}: the last step is shortened\n",
                options.step, options.from, options.to);
   }

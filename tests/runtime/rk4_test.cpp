@@ -34,6 +34,7 @@ TEST_CASE("steps fill the span, the last one shortened") {
   CHECK(time_grid(0, 0.3, 0.1).steps == 3);  // 0.3/0.1 is above 3 by one rounding
   CHECK(time_grid(1, 1, 0.1).steps == 0);
   CHECK(time_grid(1, 1, 0.1).time(0) == 1);
+  CHECK(time_grid(0, 2, 1e300).steps == 1);
   const TimeGrid grid = time_grid(-1, 0, 0.3);
   CHECK(grid.steps == 4);
   CHECK(grid.time(3) == -1 + 3 * 0.3);

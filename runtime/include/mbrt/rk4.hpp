@@ -19,9 +19,11 @@ struct TimeGrid {
   double time(long i) const { return i > 0 && i == steps ? to : from + static_cast<double>(i) * step; }
 };
 
-/// A span that exceeds a whole number of steps by less than 1e-9 of a step is a rounding error, not one step more.
+/// A span that exceeds a whole number of steps by less than 1e-9 of a step is a rounding error, not one step more; but
+/// no span is so short that it takes none.
 inline TimeGrid time_grid(double from, double to, double step) {
-  return {from, to, step, static_cast<long>(std::ceil((to - from) / step - 1e-9))};
+  const long steps = static_cast<long>(std::ceil((to - from) / step - 1e-9));
+  return {from, to, step, to > from && steps < 1 ? 1 : steps};
 }
 
 /// Moves `y` from grid.from to grid.to. The rate at an accepted state is the first stage of the step that follows, so
