@@ -56,7 +56,7 @@ InterpretedModel::InterpretedModel(const program::Program& program, const model:
     }
     arrays.matrix.resize(m * n);
     arrays.scratch.resize(mbrt::scratch_size(m, n));
-    arrays.record.rank = arrays.record.smallest_rank = static_cast<int>(m);
+    arrays.record.rank = static_cast<int>(m);
     islands_.push_back(std::move(arrays));
   }
   describe(system, sources);

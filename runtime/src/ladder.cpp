@@ -38,6 +38,10 @@ Vector vector(std::span<double> storage) { return {storage.data(), static_cast<I
 /// The part of a usual S_kk below which LDL^T leaves a row to the pinv: ten times above the cut-off or higher.
 double smallest_square(double cutoff) { return std::max(vanishing_ratio, 100 * cutoff * cutoff); }
 
+/// Step 1 multiplies two of the S_kk, which may then leave the range of numbers: rows larger than this at the start, or
+/// as small, are left to the steps that scale them.
+constexpr double largest_plain_square = 1e100;
+
 /// LDL^T of S = B B^T: D on the diagonal of `factor`, L below it. False, with the factor unfinished, if a pivot is too
 /// small for refinement to make up for it.
 ///
@@ -201,7 +205,6 @@ void solve_orthogonal(Matrix& transposed, Vector& r, Scratch scratch, Vector& w,
     w.tail(columns - k).applyHouseholderOnTheLeft(transposed.col(k).tail(columns - k - 1), tau[k], workspace);
   }
   record.rank = static_cast<int>(rank);
-  record.smallest_rank = std::min(record.smallest_rank, record.rank);
 }
 
 }  // namespace
@@ -248,7 +251,9 @@ int take_scales(const Island& island) {
     const double smallest = scale > 0 ? vanishing_ratio / (scale * scale) : 0;
     if (std::isfinite(square) && square > smallest) {
       scale = 1 / std::sqrt(square);
-      island.floor[i] = floor_ratio * square;
+      island.floor[i] = square > 1 / largest_plain_square && square < largest_plain_square
+                            ? floor_ratio * square
+                            : std::numeric_limits<double>::infinity();
     } else {
       ++vanishing;
       scale = scale > 0 ? scale : 1;

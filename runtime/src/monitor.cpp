@@ -19,6 +19,7 @@ Monitor::Monitor(AnyModel& model, const std::vector<Island>& islands) : model_(m
   last_state_.resize(state_size(model.description()));
   for (const Island& island : islands_) {
     ranks_.push_back(static_cast<int>(island.scale.size()));
+    findings_.smallest_rank += ranks_.back();
   }
 }
 
@@ -47,7 +48,8 @@ std::string Monitor::explain_failure(double time, std::span<const double> state)
     const Untraced untraced(islands_);
     return explain_not_finite(model_, islands_, time, state);
   }
-  return explain_step(time - last_time_);
+  std::string cause = explain_step(time - last_time_);
+  return cause.empty() ? explain_not_finite(model_, islands_, last_time_, last_state_) : cause;
 }
 
 /// A stage that is not finite spoils the whole state after its step: the cause shows at the stage alone. Longer steps
@@ -60,7 +62,7 @@ std::string Monitor::explain_step(double step) {
   for (int i = 0; i < most_steps && std::isnan(stage_time); ++i, step *= longer) {
     stage_time = find_failing_stage(model_, last_time_, step, last_state_);
   }
-  return explain_not_finite(model_, islands_, std::isnan(stage_time) ? last_time_ : stage_time, last_state_);
+  return std::isnan(stage_time) ? "" : explain_not_finite(model_, islands_, stage_time, last_state_);
 }
 
 void Monitor::watch_constraints(std::span<const double> state, std::span<const double> rate) {
@@ -85,6 +87,11 @@ void Monitor::watch_energy(std::span<const double> state) {
 }
 
 std::string Monitor::watch_rank(double time, std::span<const double> state, std::span<const double> rate) {
+  int together = 0;
+  for (const Island& island : islands_) {
+    together += island.record->rank;
+  }
+  findings_.smallest_rank = std::min(findings_.smallest_rank, together);
   for (std::size_t k = 0; k < islands_.size(); ++k) {
     const int rank = islands_[k].record->rank;
     if (rank != ranks_[k]) {

@@ -28,6 +28,7 @@ struct Findings {
   double initial_energy = 0;
   double final_energy = 0;
   double energy_drift = 0;             ///< largest |E - initial E|
+  int smallest_rank = 0;               ///< of all constraints together, at accepted states
   std::vector<RankEvent> rank_events;  ///< the first `most_rank_events`
   long rank_changes = 0;               ///< all of them
 };
@@ -44,7 +45,7 @@ class Monitor {
   /// After it. Returns why the run cannot go on, or nothing.
   std::string observe(double time, std::span<const double> state, std::span<const double> rate);
 
-  /// Why the rates are not finite of a step from the last accepted state.
+  /// Why the rates are not finite of a step from the last accepted state; nothing where none is found.
   std::string explain_step(double step);
 
   const Findings& findings() const { return findings_; }

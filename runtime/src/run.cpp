@@ -86,7 +86,8 @@ class Watch final : public Observer {
   void explain(const Course& course, const Options& options) {
     if (course.ending == Ending::NotFinite) {
       message_ = monitor_.explain_step(course.failed_step);
-    } else if (course.ending == Ending::StepTooSmall) {
+    }
+    if (message_.empty() && (course.ending == Ending::NotFinite || course.ending == Ending::StepTooSmall)) {
       message_ = fmt::format("error: at t = {:.9g} no step is short enough for `{}` to stay within the tolerance {}",
                              course.time, component_name(model_.description(), course.component), options.tolerance);
     }

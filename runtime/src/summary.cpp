@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "columns.hpp"
 #include "mbrt/taylor.hpp"
@@ -45,18 +44,12 @@ Json event_json(const Description& model, const RankEvent& event) {
   return {{"time", event.time}, {"rank", event.rank}, {"of", of}, {"constraints", std::move(names)}};
 }
 
-/// Of all constraints together, over all evaluations.
-int smallest_rank(const Outcome& outcome) {
-  return std::accumulate(outcome.solves.begin(), outcome.solves.end(), 0,
-                         [](int sum, const IslandRecord& record) { return sum + record.smallest_rank; });
-}
-
 Json rank_json(const Description& model, const Outcome& outcome) {
   Json events = Json::array();
   for (const RankEvent& event : outcome.findings.rank_events) {
     events.push_back(event_json(model, event));
   }
-  return {{"minimum", smallest_rank(outcome)},
+  return {{"minimum", outcome.findings.smallest_rank},
           {"of", model.constraints.size()},
           {"changes", outcome.findings.rank_changes},
           {"events", std::move(events)}};

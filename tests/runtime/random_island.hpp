@@ -22,7 +22,7 @@ struct DynamicIsland {
         mobility(columns),
         position(rows),
         velocity(rows) {
-    record.rank = record.smallest_rank = static_cast<int>(rows);
+    record.rank = static_cast<int>(rows);
   }
   Island view() { return {scale, floor, scratch, {matrix, residual, free, mobility, position, velocity}, &record}; }
 

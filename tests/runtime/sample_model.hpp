@@ -129,7 +129,7 @@ class SampleModel {
           position(m),
           velocity(m),
           added(n) {
-      record.rank = record.smallest_rank = static_cast<int>(m);
+      record.rank = static_cast<int>(m);
     }
     Island view() { return {scale, floor, scratch, {matrix, residual, free, mobility, position, velocity}, &record}; }
 

@@ -58,7 +58,6 @@ struct IslandRows {
 struct IslandRecord {
   double cutoff = default_cutoff;  ///< a setting; all else is recorded
   int rank = 0;                    ///< found by the last `climb`
-  int smallest_rank = 0;           ///< by any `climb`; starts at the number of rows
   double unreachable = 0;          ///< of the last `climb`: |part of r that A cannot reach| / |r|, rows scaled
   long refined = 0;                ///< evaluations that ended on step 2
   long pinv = 0;                   ///< and on step 3
@@ -84,7 +83,7 @@ constexpr std::size_t scratch_size(std::size_t rows, std::size_t columns) { retu
 template <std::size_t Rows, std::size_t Columns>
 class IslandStorage {
  public:
-  IslandStorage() { record_.smallest_rank = record_.rank = static_cast<int>(Rows); }
+  IslandStorage() { record_.rank = static_cast<int>(Rows); }
 
   Island view() {
     return {scale_, floor_, scratch_, {matrix_, residual_, free_, mobility_, position_, velocity_}, &record_};
@@ -122,7 +121,7 @@ void correct(const Island& island, std::span<const double> errors, double size, 
 /// Takes row scales and pivot floors from island.rows, the rows at the start. Returns the number of rows that vanish
 /// there: rows that are zero, not finite or, where an earlier call has left a scale, smaller by vanishing_ratio than
 /// the S_kk which that scale stands for. Their scale is left as it was, or set to 1 if there was none. The floors
-/// depend on record->cutoff.
+/// depend on record->cutoff; those of rows whose S_kk cannot be multiplied with each other in a double are infinite.
 int take_scales(const Island& island);
 
 }  // namespace mbrt
