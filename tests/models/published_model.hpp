@@ -32,6 +32,11 @@ class PublishedModel {
     const Run run = this->run(flags);
     INFO(run.errors);
     REQUIRE(run.exit_code == 0);
+    return end_of(run);
+  }
+
+  /// That of a run which has come there.
+  [[nodiscard]] std::map<std::string, double> end_of(const Run& run) const {
     REQUIRE(run.table.last("t") == near(reference_["time"], 1e-12));  // n steps round to the end within n ulps
     std::map<std::string, double> state;
     for (const auto& [name, unused] : reference_["end"].items()) {
