@@ -7,7 +7,7 @@ CLANG_TIDY ?= clang-tidy-14
 build = cmake --preset $(1) && cmake --build --preset $(1) -j $(JOBS)
 sources = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: all demo test stress bench bench-series fuzz docs gallery install format check-format tidy packages
+.PHONY: all demo test stress bench bench-precision fuzz docs gallery install format check-format tidy packages
 all: packages
 	$(call build,release)
 
@@ -29,10 +29,11 @@ bench: packages
 	$(call build,release) --target mbcc_bench
 	build/release/benchmarks/mbcc_bench
 
-# Run time against true error of the emitted Taylor series.
-bench-series: packages
-	$(call build,release) --target mbcc_bench_series
-	build/release/benchmarks/mbcc_bench_series
+# Run time against true error, beside code by hand and what of other people's programs is installed: makes
+# docs/precision.md. `cmake/install-packages peers` installs them.
+bench-precision: packages
+	$(call build,release) --target mbcc_bench_precision
+	benchmarks/precision/run build/release docs/precision.md
 
 fuzz: packages
 	cmake/install-packages check

@@ -1,20 +1,13 @@
 #include "measure.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "thread_clock.hpp"
 
 namespace bench {
 
 namespace {
-
-/// Seconds of processor time that this thread has had.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The compiler must take it that all memory has been read and written here.
 void keep() { asm volatile("" ::: "memory"); }

@@ -3,7 +3,8 @@
 # that it imports, or mbcc itself changes.
 #
 #   mbcc_add_simulation(NAME MODEL.mbd)     a program: the simulation
-#   mbcc_add_model(NAME MODEL.mbd)          a library to link: `#include "MODEL.hpp"` gives the class MODEL::Model
+#   mbcc_add_model(NAME MODEL.mbd [FLAG..]) a library to link: `#include "MODEL.hpp"` gives the class MODEL::Model;
+#                                           flags are those of mbcc, such as `--method taylor`
 #   mbcc_add_regression(NAME MODEL MODEL.mbd EMITTED FILE.cpp REFERENCE FILE.csv TOLERANCE X)
 #                                           tests NAME.emitted, NAME.run, NAME.trajectory: FILE.cpp is what mbcc emits
 #                                           for the model, and what it computes agrees with FILE.csv (see mbcc-compare)
@@ -39,7 +40,7 @@ endfunction()
 
 function(mbcc_add_model name model)
   mbcc_paths_(${name} ${model})
-  mbcc_emit_(${DIRECTORY}/${STEM}.hpp ${MODEL} --library)
+  mbcc_emit_(${DIRECTORY}/${STEM}.hpp ${MODEL} --library ${ARGN})
   add_custom_target(${name}_emitted DEPENDS ${DIRECTORY}/${STEM}.hpp)
   add_library(${name} INTERFACE)
   add_dependencies(${name} ${name}_emitted)

@@ -22,8 +22,8 @@
 namespace bench::expert {
 
 /// `Width` >= Links is what the loops over links run to, so that none has a remainder. The masses beyond the last fall
-/// freely and hang on nothing.
-template <std::size_t Links, std::size_t Width>
+/// freely and hang on nothing. With `IsHeld` the last mass stays where it is: a chain between two points.
+template <std::size_t Links, std::size_t Width, bool IsHeld = false>
 class Chain {
  public:
   /// x of all masses, then y, then z. Differences read one number beyond the last axis.
@@ -52,6 +52,9 @@ class Chain {
       for (std::size_t k = 0; k < Width; ++k) {
         result[k] = gravity + tension[k] * rod[axis][k] - tension[k + 1] * rod[axis][k + 1];
       }
+      if constexpr (IsHeld) {
+        result[Links - 1] = 0;
+      }
     }
   }
 
@@ -73,6 +76,10 @@ class Chain {
       coupling[k + 1] = -(x[k + 1] * x[k] + y[k + 1] * y[k] + z[k + 1] * z[k]);
       const double wx = vx[k + 1] - vx[k], wy = vy[k + 1] - vy[k], wz = vz[k + 1] - vz[k];
       right[k + 1] = -(wx * wx + wy * wy + wz * wz);
+    }
+    if constexpr (IsHeld) {
+      diagonal[Links - 1] *= 0.5;
+      right[Links - 1] += weight * z[Links - 1];
     }
   }
 

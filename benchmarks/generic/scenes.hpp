@@ -30,9 +30,10 @@ struct PaperExample {
   }
 };
 
-template <std::size_t Links>
+/// Unit rods from the origin; with `IsHeld` the last one ends there again.
+template <std::size_t Links, bool IsHeld = false>
 struct Chain {
-  static constexpr std::size_t coordinates = 3 * Links;
+  static constexpr std::size_t coordinates = 3 * (IsHeld ? Links - 1 : Links);
   static constexpr std::size_t holonomic = Links;
   static constexpr std::size_t nonholonomic = 0;
 
@@ -47,11 +48,32 @@ struct Chain {
     for (std::size_t k = 0; k < Links; ++k) {
       T sum(-1);
       for (std::size_t j = 3 * k; j < 3 * k + 3; ++j) {
-        const T difference = k == 0 ? x[j] : x[j] - x[j - 3];
+        const T difference = k == 0 ? x[j] : j >= coordinates ? x[j - 3] : x[j] - x[j - 3];
         sum = sum + difference * difference;
       }
       rows[k] = sum;
     }
+  }
+};
+
+/// examples/four_bar: crank and rocker in a vertical plane.
+struct FourBar {
+  static constexpr std::size_t coordinates = 4;
+  static constexpr std::size_t holonomic = 3;
+  static constexpr std::size_t nonholonomic = 0;
+
+  static void forces(std::span<const double>, std::span<double> f) {
+    for (std::size_t j = 0; j < coordinates; ++j) {
+      f[j] = j % 2 == 1 ? -9.81 : 0;
+    }
+  }
+
+  template <class T>
+  static void constraints(const T&, std::span<const T> x, std::span<const T>, std::span<T> rows) {
+    const T across = x[2] - x[0], up = x[3] - x[1], rocker = x[2] - T(2);
+    rows[0] = x[0] * x[0] + x[1] * x[1] - T(1);
+    rows[1] = across * across + up * up - T(6.25);
+    rows[2] = rocker * rocker + x[3] * x[3] - T(6.25);
   }
 };
 

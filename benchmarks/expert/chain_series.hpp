@@ -2,21 +2,24 @@
 // The chain of unit masses on unit rods by its Taylor series, by hand: what someone who knows the model, the method and
 // the machine writes. One vector holds x, y, z of a mass, so that everything but the tensions is arithmetic of vectors,
 // and sums over axes are within one. The recurrences are those that mbcc emits, with nothing around them: no test of
-// pivots, no switches, no fallback, no compensation of rounding.
+// pivots, no switches, no fallback, no compensation of rounding. The last mass may be held where it is, which makes a
+// pendulum, a chain, a four-bar and a ring one program.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-namespace bench::series {
+namespace bench::expert {
 
-template <std::size_t Links>
-class HandChain {
+template <std::size_t Links, bool IsHeld = false>
+class ChainSeries {
  public:
   /// Integrates from 0 to `to`; positions of all masses, then velocities, three numbers each.
   std::vector<double> integrate(std::vector<double> state, double to, double tolerance) {
     order_ = static_cast<std::size_t>(std::ceil(1 - 0.65 * std::log(tolerance)));
+    take_scales(state);
     for (std::size_t i = 0; i < Links; ++i) {
       r_[0][i] = vector_at(state, i);
       v_[0][i] = vector_at(state, Links + i);
@@ -48,6 +51,7 @@ class HandChain {
   static Vector vector_at(const std::vector<double>& state, std::size_t i) {
     return Vector{state[3 * i], state[3 * i + 1], state[3 * i + 2], 0};
   }
+  static constexpr bool is_held(std::size_t i) { return IsHeld && i + 1 == Links; }
   static double sum(Vector a) { return a[0] + a[1] + a[2]; }
   static double dot(Vector a, Vector b) { return sum(a * b); }
 
@@ -61,7 +65,8 @@ class HandChain {
   /// The tridiagonal matrix of the tensions, eliminated from the first link on.
   void factorise() {
     for (std::size_t i = 0; i < Links; ++i) {
-      double pivot = (i == 0 ? 1 : 2) * dot(d_[0][i], d_[0][i]);
+      const double moving_ends = i == 0 || is_held(i) ? 1 : 2;
+      double pivot = moving_ends * dot(d_[0][i], d_[0][i]);
       if (i > 0) {
         const double coupling = -dot(d_[0][i - 1], d_[0][i]);
         multiplier_[i] = coupling * inverse_pivot_[i - 1];
@@ -109,6 +114,9 @@ class HandChain {
       if (i + 1 < Links) {
         known[i] -= reactions[i + 1];
       }
+      if (is_held(i)) {
+        known[i] = Vector{};
+      }
       const Vector along = i == 0 ? known[i] : known[i] - known[i - 1];
       right[i] = -sum(first * second * squares[i] + d_[0][i] * along);
       if (i > 0) {
@@ -121,7 +129,7 @@ class HandChain {
         tension_[k][i] -= multiplier_[i + 1] * tension_[k][i + 1];
       }
     }
-    for (std::size_t i = 0; i < Links; ++i) {
+    for (std::size_t i = 0; i < (IsHeld ? Links - 1 : Links); ++i) {
       Vector acceleration = known[i] + tension_[k][i] * d_[0][i];
       if (i + 1 < Links) {
         acceleration -= tension_[k][i + 1] * d_[0][i + 1];
@@ -138,8 +146,8 @@ class HandChain {
       double largest = 0;
       for (std::size_t i = 0; i < Links; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          largest = std::max(largest, std::abs(r_[k][i][axis]) / (length_scale + std::abs(r_[0][i][axis])));
-          largest = std::max(largest, std::abs(v_[k][i][axis]) / (speed_scale + std::abs(v_[0][i][axis])));
+          largest = std::max(largest, std::abs(r_[k][i][axis]) / (length_scale_ + std::abs(r_[0][i][axis])));
+          largest = std::max(largest, std::abs(v_[k][i][axis]) / (speed_scale_ + std::abs(v_[0][i][axis])));
         }
       }
       shortest = std::max(shortest, std::log2(largest / tolerance) / static_cast<double>(k));
@@ -159,11 +167,17 @@ class HandChain {
     }
   }
 
-  /// The largest coordinate of the start, and the speed that gravity gives over it (mbrt::scales_of).
-  static constexpr double length_scale = 0.8 * static_cast<double>(Links);
-  const double speed_scale = std::sqrt(9.81 * length_scale);
+  /// The largest coordinate of the start, and the speed that gravity gives over it.
+  void take_scales(const std::vector<double>& state) {
+    length_scale_ = 0;
+    for (std::size_t j = 0; j < 3 * Links; ++j) {
+      length_scale_ = std::max(length_scale_, std::abs(state[j]));
+    }
+    speed_scale_ = std::sqrt(9.81 * length_scale_);
+  }
 
   std::size_t order_ = 0;
+  double length_scale_ = 1, speed_scale_ = 1;
   std::array<Row, most_orders> r_{}, v_{}, d_{};
   std::array<std::array<double, Links>, most_orders> tension_{};
   std::array<double, Links> multiplier_{}, inverse_pivot_{};
@@ -176,4 +190,4 @@ class HandChain {
   }();
 };
 
-}  // namespace bench::series
+}  // namespace bench::expert
