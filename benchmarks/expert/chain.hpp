@@ -79,7 +79,7 @@ class Chain {
     }
     if constexpr (IsHeld) {
       diagonal[Links - 1] *= 0.5;
-      right[Links - 1] += weight * z[Links - 1];
+      right[Links - 1] -= weight * z[Links - 1];
     }
   }
 

@@ -30,8 +30,9 @@ class EmbeddedPair {
       const bool is_last = t + 1.01 * h >= to;
       h = is_last ? to - t : h;
       const double error = attempt(t, h);
-      const double factor = std::clamp(0.9 * std::pow(error, -1.0 / 8), 1.0 / 3, shrunk ? 1.0 : 6.0);
-      shrunk = error > 1;
+      const double wish = 0.9 * std::pow(error, -1.0 / 8);
+      const double factor = wish > 1.0 / 3 ? std::min(wish, shrunk ? 1.0 : 6.0) : 1.0 / 3;
+      shrunk = !(error <= 1);
       if (!shrunk) {
         t = is_last ? to : t + h;
         y_ = stage_;

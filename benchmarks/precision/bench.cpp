@@ -86,7 +86,7 @@ int run(std::vector<std::string> words) {
   bool is_well = true;
   for (const Problem& problem : all) {
     if (words.empty() || std::find(words.begin(), words.end(), problem.name) != words.end()) {
-      is_well &= show(problem, is_short ? Effort{1, 0.01} : Effort{15, 0.3});
+      is_well &= show(problem, is_short ? Effort{1, 0.01} : Effort{15, 0.2});
     }
   }
   return is_well ? 0 : 1;

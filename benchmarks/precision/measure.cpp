@@ -43,7 +43,7 @@ std::vector<Point> measure(const std::vector<Contender>& contenders, const Probl
           points[at].seconds = std::min(points[at].seconds, taken);
         }
         // What has gone astray may take long, and a finer setting less.
-        is_slow = points[at].seconds > effort.patience && points[at].error < astray;
+        is_slow = points[at].seconds > (points[at].error < astray ? 1 : 5) * effort.patience;
         ++at;
       }
     }
