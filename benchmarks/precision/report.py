@@ -89,6 +89,7 @@ def table(header, rows):
 
 
 def verdicts(curves_of):
+    """For the problems that somebody has written by hand."""
     rows = []
     for problem, curves in curves_of.items():
         if not any(is_expert(name) for name in curves):
@@ -97,7 +98,8 @@ def verdicts(curves_of):
             own, name = fastest(curves, error, is_mbcc)
             hand, by = fastest(curves, error, is_expert)
             rival, whose = fastest(curves, error, is_rival)
-            rows.append([problem, f"{error:.0e}", f"{milliseconds(own)} ({name or '–'})".replace("mbcc, ", ""),
+            rows.append([problem, f"{error:.0e}",
+                         milliseconds(own) + (f" ({name})".replace("mbcc, ", "") if name else ""),
                          ratio(own, hand) + (f" ({by})".replace("expert, ", "") if by else ""),
                          ratio(rival, own) + (f" ({whose})" if whose else "")])
     return table(["problem", "error", "mbcc's best, ms", "that, over the best expert's", "the nearest other, over mbcc"], rows)
@@ -132,7 +134,7 @@ def all_times(curves_of):
 
 def draw(problem, curves, directory):
     names = [name for name, curve in curves.items() if curve and name != "mbcc, auto"]
-    script = [f"set terminal svg size 720,460 font 'sans,11' background 'white'",
+    script = ["set terminal svg size 720,460 font 'sans,11' background 'white'",
               f"set output '{directory}/{problem}.svg'", "set logscale xy", "set format '10^{%T}'", "set grid",
               "set xrange [1e-15:1] reverse", "set xlabel 'error at the end'", "set ylabel 'seconds'",
               "set key outside right", f"set title '{problem}' noenhanced"]

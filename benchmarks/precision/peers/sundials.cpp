@@ -138,7 +138,7 @@ void fill(N_Vector vector, const std::vector<double>& values) {
   std::copy(values.begin(), values.end(), N_VGetArrayPointer(vector));
 }
 
-constexpr long most_steps = 1000000;
+constexpr long most_steps = 50000;
 
 int explicit_rates(double, N_Vector y, N_Vector rate, void* user) {
   const Rods& rods = *static_cast<const Rods*>(user);
