@@ -136,7 +136,7 @@ def draw(problem, curves, directory):
     names = [name for name, curve in curves.items() if curve and name != "mbcc, auto"]
     script = ["set terminal svg size 720,460 font 'sans,11' background 'white'",
               f"set output '{directory}/{problem}.svg'", "set logscale xy", "set format '10^{%T}'", "set grid",
-              "set xrange [1e-15:1] reverse", "set xlabel 'error at the end'", "set ylabel 'seconds'",
+              "set xrange [1e-15:1]", "set xlabel 'error at the end'", "set ylabel 'seconds'",
               "set key outside right", f"set title '{problem}' noenhanced"]
     plots, data = [], []
     for i, name in enumerate(names):
