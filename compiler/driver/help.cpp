@@ -67,9 +67,11 @@ constexpr std::string_view run = R"(Flags of `mbcc run MODEL.mbd` and of emitted
 
   --from T0 --to T1 --step H           times; the model's `integrate` gives the defaults
   --method NAME                        rk4: classical Runge-Kutta with constant step; dop853: order 8, chooses its steps;
-                                       taylor: series of high order, chooses its steps; auto: chooses among those that
-                                       choose their steps. Without a method in the model or on the line it is rk4
-                                       where there is a step, else auto
+                                       taylor: series of high order, chooses its steps; radau: implicit, of order 5,
+                                       chooses its steps, for stiff motions; auto: dop853, which gives way to
+                                       radau where a motion turns out to be stiff, or taylor at tight tolerances.
+                                       Without a method in the model or on the line it is rk4 where there is a step,
+                                       else auto
   --tolerance TOL                      error per step, relative to the state and its size at the start (default 1e-9)
   --set NAME=VALUE ...                 parameters
   --initial NAME=VALUE ...             coordinates and speeds at the start

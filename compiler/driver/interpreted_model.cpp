@@ -37,6 +37,12 @@ InterpretedModel::InterpretedModel(const program::Program& program, const model:
       case Kind::Speed:
         component_leaves_.push_back({id, coordinates_ + node.index});
         break;
+      case Kind::CoordinateChange:
+        direction_leaves_.push_back({id, node.index});
+        break;
+      case Kind::SpeedChange:
+        direction_leaves_.push_back({id, coordinates_ + node.index});
+        break;
       case Kind::Acceleration:
         rate_leaves_.push_back({id, coordinates_ + node.index});
         break;
@@ -108,18 +114,13 @@ void InterpretedModel::describe(const model::System& system, const Sources& sour
                   program_.energy.sections.front().has_stores(),
                   false,
                   defaults,
-                  indices_.emplace_back(model::columns(system))};
+                  indices_.emplace_back(model::columns(system)),
+                  program_.tangent.has_value()};
 }
 
-void InterpretedModel::load(const State& y) {
-  for (const Leaf& leaf : component_leaves_) {
-    values_[leaf.node] = y[leaf.index];
-  }
-}
-
-void InterpretedModel::load_rates(const State& rate) {
-  for (const Leaf& leaf : rate_leaves_) {
-    values_[leaf.node] = rate[leaf.index];
+void InterpretedModel::load(const std::vector<Leaf>& leaves, std::span<const double> values) {
+  for (const Leaf& leaf : leaves) {
+    values_[leaf.node] = values[leaf.index];
   }
 }
 
@@ -148,30 +149,22 @@ void InterpretedModel::execute(const program::Kernel& kernel, const Put& put) {
   }
 }
 
-/// Whether every pivot is safe, after the solve has been executed.
-bool InterpretedModel::guards_hold(const program::IslandSolve& island) const {
-  const std::vector<double>& floor = islands_[island.island].floor;
-  const auto holds = [&](const program::Guard& guard) {
-    return mbrt::holds(values_[guard.pivot], values_[guard.diagonal], floor[guard.row] * values_[guard.scale],
-                       floor.size());
-  };
+/// Whether every pivot is safe, after the solve has been executed: `holds(guard)` says it of one.
+template <class Holds>
+bool InterpretedModel::guards_hold(const program::IslandSolve& island, const Holds& holds) const {
   return std::all_of(island.solve.units.begin(), island.solve.units.end(), [&](const program::Unit& unit) {
     return std::all_of(unit.guards.begin(), unit.guards.end(), holds);
   });
 }
 
 void InterpretedModel::prepare() {
-  for (const Leaf& leaf : parameter_leaves_) {
-    values_[leaf.node] = parameters_[leaf.index];
-  }
+  load(parameter_leaves_, parameters_);
   execute(program_.prepare, [](const Store&, double) {});
 }
 
 InterpretedModel::State InterpretedModel::initial_state() {
   State y(coordinates_ + speed_names_.size());
-  for (const Leaf& leaf : parameter_leaves_) {
-    values_[leaf.node] = parameters_[leaf.index];
-  }
+  load(parameter_leaves_, parameters_);
   execute(program_.initial, [&](const Store& store, double value) { y[store.index] = value; });
   return y;
 }
@@ -184,7 +177,7 @@ void InterpretedModel::set_time(double time) {
 }
 
 void InterpretedModel::rates(const State& y, State& rate) {
-  load(y);
+  load(component_leaves_, y);
   execute(program_.rates, [&](const Store& store, double value) { rate[store.index] = value; });
   for (const program::IslandSolve& island : program_.rates.islands) {
     solve(island, y, rate);
@@ -193,10 +186,14 @@ void InterpretedModel::rates(const State& y, State& rate) {
 
 void InterpretedModel::solve(const program::IslandSolve& island, const State& y, State& rate) {
   execute(island.solve, [&](const Store& store, double value) { rate[store.index] = value; });
-  if (!island.always_climbs && guards_hold(island)) {
+  IslandArrays& arrays = islands_[island.island];
+  const auto holds = [&](const program::Guard& guard) {
+    return mbrt::holds(values_[guard.pivot], values_[guard.diagonal], arrays.floor[guard.row] * values_[guard.scale],
+                       arrays.floor.size());
+  };
+  if (!island.always_climbs && guards_hold(island, holds)) {
     return;
   }
-  IslandArrays& arrays = islands_[island.island];
   island_rows(static_cast<int>(island.island), y);
   mbrt::climb(this->island(static_cast<int>(island.island)), arrays.added);
   const std::vector<std::size_t>& speeds = program_.islands[island.island].speeds;
@@ -212,6 +209,25 @@ void InterpretedModel::solve(const program::IslandSolve& island, const State& y,
   }
 }
 
+bool InterpretedModel::tangent(const State& y, const State& direction, State& change) {
+  if (!program_.tangent) {
+    return false;
+  }
+  load(component_leaves_, y);
+  load(direction_leaves_, direction);
+  const auto put = [&](const Store& store, double value) { change[store.index] = value; };
+  execute(*program_.tangent, put);
+  return std::all_of(program_.tangent->islands.begin(), program_.tangent->islands.end(),
+                     [&](const program::IslandSolve& island) {
+                       execute(island.solve, put);
+                       const std::vector<double>& floor = islands_[island.island].floor;
+                       return !island.always_climbs && guards_hold(island, [&](const program::Guard& guard) {
+                         return mbrt::nearly_holds(values_[guard.pivot], values_[guard.diagonal],
+                                                   floor[guard.row] * values_[guard.scale]);
+                       });
+                     });
+}
+
 mbrt::Island InterpretedModel::island(int island) {
   IslandArrays& arrays = islands_[static_cast<std::size_t>(island)];
   return {arrays.scale,
@@ -222,7 +238,7 @@ mbrt::Island InterpretedModel::island(int island) {
 }
 
 void InterpretedModel::island_rows(int island, const State& y) {
-  load(y);
+  load(component_leaves_, y);
   const mbrt::IslandRows rows = this->island(island).rows;
   rows.clear();
   execute(program_.island_rows[static_cast<std::size_t>(island)], [&](const Store& store, double value) {
@@ -251,8 +267,8 @@ void InterpretedModel::island_rows(int island, const State& y) {
 
 void InterpretedModel::constraint_errors(const State& y, const State& rate, std::span<double> position,
                                          std::span<double> velocity, std::span<double> acceleration) {
-  load(y);
-  load_rates(rate);
+  load(component_leaves_, y);
+  load(rate_leaves_, rate);
   execute(program_.constraint_errors, [&](const Store& store, double value) {
     (store.target == Target::Position   ? position
      : store.target == Target::Velocity ? velocity
@@ -263,8 +279,8 @@ void InterpretedModel::constraint_errors(const State& y, const State& rate, std:
 /// `shift` begins as a copy of what `rate` has in the place of the speeds.
 void InterpretedModel::shift(const program::Kernel& kernel, const State& y, const State& rate,
                              std::span<double> shift) {
-  load(y);
-  load_rates(rate);
+  load(component_leaves_, y);
+  load(rate_leaves_, rate);
   for (std::size_t j = 0; j < std::min(shift.size(), rate.size() - coordinates_); ++j) {
     shift[j] = rate[coordinates_ + j];
   }
@@ -284,20 +300,20 @@ void InterpretedModel::move(const State& y, const State& rate, std::span<double>
 }
 
 double InterpretedModel::energy(const State& y) {
-  load(y);
+  load(component_leaves_, y);
   double energy = 0;
   execute(program_.energy, [&](const Store&, double value) { energy = value; });
   return energy;
 }
 
 void InterpretedModel::outputs(const State& y, const State& rate, std::span<double> values) {
-  load(y);
-  load_rates(rate);
+  load(component_leaves_, y);
+  load(rate_leaves_, rate);
   execute(program_.outputs, [&](const Store& store, double value) { values[store.index] = value; });
 }
 
 void InterpretedModel::applied_forces(const State& y, std::span<double> values) {
-  load(y);
+  load(component_leaves_, y);
   execute(program_.applied_forces, [&](const Store& store, double value) { values[store.index] = value; });
 }
 

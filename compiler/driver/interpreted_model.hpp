@@ -27,6 +27,7 @@ class InterpretedModel {
   State initial_state();
   void set_time(double time);
   void rates(const State& y, State& rate);
+  bool tangent(const State& y, const State& direction, State& change);  ///< false without the code for it
   mbrt::Island island(int island);
   void island_rows(int island, const State& y);
   void constraint_errors(const State& y, const State& rate, std::span<double> position, std::span<double> velocity,
@@ -49,21 +50,21 @@ class InterpretedModel {
   };
 
   void describe(const model::System& system, const Sources& sources);
-  void load(const State& y);
-  void load_rates(const State& rate);
+  void load(const std::vector<Leaf>& leaves, std::span<const double> values);
   template <class Put>
   void execute(const program::Section& section, const Put& put);
   template <class Put>
   void execute(const program::Kernel& kernel, const Put& put);
-  bool guards_hold(const program::IslandSolve& island) const;
   void shift(const program::Kernel& kernel, const State& y, const State& rate, std::span<double> shift);
+  template <class Holds>
+  bool guards_hold(const program::IslandSolve& island, const Holds& holds) const;
   void solve(const program::IslandSolve& island, const State& y, State& rate);
 
   const program::Program& program_;
   std::size_t coordinates_;
   std::vector<double> values_;  ///< by node
   std::vector<double> parameters_;
-  std::vector<Leaf> component_leaves_, rate_leaves_, parameter_leaves_, time_leaves_;
+  std::vector<Leaf> component_leaves_, rate_leaves_, direction_leaves_, parameter_leaves_, time_leaves_;
   std::vector<IslandArrays> islands_;
 
   // What the description points to.

@@ -97,6 +97,7 @@ std::string ClassWriter::functions() const {
   text += set_time();
   text += rates();
   text += program_.series ? series() : "";
+  text += program_.tangent ? tangent() : "";
   text += program_.velocity_shifts.islands.empty() ? "" : project();
   text += program_.islands.empty() ? "" : island_functions();
   text += change("Changes of the speeds from those of uncoupled ones, which `rate` holds.", "couple", program_.couple);
@@ -209,6 +210,15 @@ std::string ClassWriter::series() const {
          function(
              "Taylor coefficients of the motion through `y`, up to `order`. False where the plain solve is not safe.",
              "bool expand(const State& y, std::size_t order, Series& s)", body);
+}
+
+std::string ClassWriter::tangent() const {
+  const Body tangent = body(*program_.tangent);
+  return function(
+      "Derivative of the rates along a direction of the state. False where the solve is too inaccurate for it.",
+      fmt::format("bool tangent(const State& {}, const State& direction, State& change) const",
+                  argument("y", tangent.reads_state)),
+      tangent.text + "return true;\n");
 }
 
 std::string ClassWriter::project() const {

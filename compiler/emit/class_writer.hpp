@@ -29,6 +29,7 @@ class ClassWriter {
   std::string set_time() const;
   std::string rates() const;
   std::string series() const;
+  std::string tangent() const;
   std::string project() const;
   std::string shifts(std::string_view name, const program::Kernel& kernel) const;
   std::string island_functions() const;

@@ -111,7 +111,10 @@ std::string write_description(const program::Program& program, const model::Syst
       quote(system.name), quote(version), has_energy, program.series.has_value(), number_or_not_given(integration.from),
       number_or_not_given(integration.to), number_or_not_given(integration.step),
       number_or_not_given(integration.tolerance), number_or_not_given(integration.every),
-      integration.method ? quote(*integration.method) : "nullptr", columns.empty() ? "" : ", columns");
+      integration.method ? quote(*integration.method) : "nullptr",
+      program.tangent   ? columns.empty() ? ", {}, true" : ", columns, true"
+      : columns.empty() ? ""
+                        : ", columns");
   return text;
 }
 

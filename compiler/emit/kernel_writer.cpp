@@ -275,7 +275,7 @@ class KernelWriter {
     }
     const std::string pivot = read(guard.pivot, next.pivot).text;
     line(guard.diagonal == guard.pivot ? fmt::format("{} &= {} >= {};", safe_, pivot, floor)
-                                       : fmt::format("{} &= {}.holds({}, {}, {});", safe_, island_, pivot,
+                                       : fmt::format("{} &= {}.{}({}, {}, {});", safe_, island_, condition_, pivot,
                                                      read(guard.diagonal, next.diagonal).text, floor));
   }
 
@@ -291,6 +291,7 @@ class KernelWriter {
     // One flag and one branch: the pivot tests then cost next to nothing.
     const bool guarded = island.solve.has_guards();
     island_ = fmt::format("island_{}_", island.island + 1);
+    condition_ = island.unknowns == program::Unknowns::Tangents ? "nearly_holds" : "holds";
     safe_ = guarded ? scope_.declare("safe") : "";
     if (guarded) {
       line(fmt::format("bool {} = true;", safe_));
@@ -476,6 +477,7 @@ class KernelWriter {
   std::map<NodeId, NodeId> sines_, cosines_;  ///< of the iteration, by argument
   std::map<NodeId, std::string> carried_;     ///< variables that loops carry, by the value that they become
   std::string island_;
+  std::string_view condition_;  ///< of its guards
   std::string safe_;
 };
 

@@ -14,6 +14,10 @@ std::string Naming::name_of_leaf(Kind kind, std::uint32_t index) const {
       return coordinates[index];
     case Kind::Speed:
       return speeds[index];
+    case Kind::CoordinateChange:
+      return coordinate_changes[index];
+    case Kind::SpeedChange:
+      return speed_changes[index];
     case Kind::Acceleration:
       return accelerations[index];
     case Kind::Parameter:
@@ -48,6 +52,9 @@ std::string Naming::source_of_leaf(Kind kind, const std::string& index) {
     case Kind::Coordinate:
     case Kind::Speed:
       return fmt::format("y[{}]", index);
+    case Kind::CoordinateChange:
+    case Kind::SpeedChange:
+      return fmt::format("direction[{}]", index);
     case Kind::Acceleration:
       return fmt::format("rate[{}]", index);
     case Kind::Parameter:
@@ -78,7 +85,7 @@ std::string Naming::source_of_leaf(Kind kind, const std::string& index) {
 }
 
 std::size_t Naming::offset_of(Kind kind) const {
-  return kind == Kind::Speed || kind == Kind::Acceleration ? coordinates.size() : 0;
+  return kind == Kind::Speed || kind == Kind::SpeedChange || kind == Kind::Acceleration ? coordinates.size() : 0;
 }
 
 Naming make_naming(const model::System& system, const program::Program& program) {
@@ -89,6 +96,14 @@ Naming make_naming(const model::System& system, const program::Program& program)
   for (const model::Speed& speed : system.speeds) {
     naming.speeds.push_back(naming.scope.declare(speed.name));
     naming.accelerations.push_back(naming.scope.declare(speed.acceleration));
+  }
+  if (program.tangent) {
+    for (const std::string& coordinate : naming.coordinates) {
+      naming.coordinate_changes.push_back(naming.scope.declare("d_" + coordinate));
+    }
+    for (const std::string& speed : naming.speeds) {
+      naming.speed_changes.push_back(naming.scope.declare("d_" + speed));
+    }
   }
   for (const model::Parameter& parameter : system.parameters) {
     naming.parameters.push_back(naming.scope.declare(parameter.name));

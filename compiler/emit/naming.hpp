@@ -14,8 +14,9 @@ namespace mbcc::cpp {
 struct Naming {
   Scope scope;  ///< with all of them declared; each kernel has one nested in it
   std::vector<std::string> coordinates, speeds, accelerations, parameters;
-  std::unordered_map<program::NodeId, std::string> members;  ///< values kept between kernels
-  bool keeps_time = false;                                   ///< whether a kernel reads t itself
+  std::vector<std::string> coordinate_changes, speed_changes;  ///< where the program has a tangent
+  std::unordered_map<program::NodeId, std::string> members;    ///< values kept between kernels
+  bool keeps_time = false;                                     ///< whether a kernel reads t itself
 
   /// The local name of a leaf: `p_3_x`.
   std::string name_of_leaf(graph::Kind kind, std::uint32_t index) const;

@@ -12,6 +12,8 @@ std::string_view array_of(Target target) {
       return "y";
     case Target::Rate:
       return "rate";
+    case Target::Change:
+      return "change";
     case Target::Shift:
       return "shift";
     case Target::Matrix:
@@ -78,6 +80,8 @@ std::string_view climb_of(program::Unknowns unknowns) {
       return "climb_to_position";
     case program::Unknowns::SpeedChanges:
       return "climb_to_velocity";
+    case program::Unknowns::Tangents:  // refuse
+      break;
   }
   return {};
 }

@@ -22,7 +22,9 @@ enum class Kind : std::uint8_t {
   Time,
   Coordinate,
   Speed,
-  CoordinateRate,  ///< of energies, until what it stands for is put in
+  CoordinateRate,    ///< of energies, until what it stands for is put in
+  CoordinateChange,  ///< along a direction: Note [tangent] in mechanics/tangent.hpp
+  SpeedChange,
   Acceleration,
 #define MBCC_SERIES_LEAF(name, meaning) name,
 #include "graph/series_leaves.def"

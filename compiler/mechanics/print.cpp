@@ -25,6 +25,10 @@ graph::LeafName leaf_names(const model::System& system) {
         return system.speeds[node.index].name;
       case graph::Kind::CoordinateRate:
         return system.coordinates[node.index].name + "'";
+      case graph::Kind::CoordinateChange:
+        return "d " + system.coordinates[node.index].name;
+      case graph::Kind::SpeedChange:
+        return "d " + system.speeds[node.index].name;
       case graph::Kind::Acceleration:
         return system.speeds[node.index].acceleration;
       case graph::Kind::Parameter:

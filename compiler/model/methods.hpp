@@ -11,7 +11,7 @@
 namespace mbcc::model {
 
 enum class Steps : std::uint8_t { Constant, Chosen };
-enum class Code : std::uint8_t { None, Series };
+enum class Code : std::uint8_t { None, Series, Tangent };
 
 struct Method {
   std::string_view name;

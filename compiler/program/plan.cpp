@@ -6,6 +6,7 @@
 
 #include "mechanics/corrections.hpp"
 #include "mechanics/directions.hpp"
+#include "mechanics/tangent.hpp"
 #include "mechanics/uncouple.hpp"
 
 namespace mbcc::program {
@@ -65,14 +66,32 @@ IslandPlan plan_solve(std::size_t index, Unknowns unknowns, const std::vector<st
     plan.floors.push_back(static_cast<std::size_t>(std::find(rows_of_island.begin(), rows_of_island.end(), row) -
                                                    rows_of_island.begin()));
   }
-  const bool is_rate = unknowns == Unknowns::Accelerations;
+  const Target target = unknowns == Unknowns::Accelerations ? Target::Rate
+                        : unknowns == Unknowns::Tangents    ? Target::Change
+                                                            : Target::Shift;
+  const std::size_t offset = target == Target::Shift ? 0 : system.coordinates.size();
   for (std::size_t j = 0; j < island.speeds.size(); ++j) {
     const std::size_t speed = island.speeds[j];
-    plan.solution.push_back({is_rate ? Target::Rate : Target::Shift,
-                             is_rate ? system.coordinates.size() + speed : speed, plan.elimination.accelerations[j],
-                             speed});
+    plan.solution.push_back({target, offset + speed, plan.elimination.accelerations[j], speed});
   }
   return plan;
+}
+
+/// What speeds that no constraint binds have instead of a solve.
+std::vector<Wanted> unbound(Target target, const model::System& system, const Derivatives& derivatives) {
+  std::vector<bool> in_island(system.speeds.size());
+  for (const Island& island : derivatives.islands) {
+    for (const std::size_t speed : island.speeds) {
+      in_island[speed] = true;
+    }
+  }
+  std::vector<Wanted> wanted;
+  for (std::size_t j = 0; j < system.speeds.size(); ++j) {
+    if (!in_island[j]) {
+      wanted.push_back({target, system.coordinates.size() + j, derivatives.free[j], j});
+    }
+  }
+  return wanted;
 }
 
 std::vector<IslandPlan> plan_shifts(mechanics::ErrorLevel level, const model::System& system,
@@ -160,42 +179,74 @@ void name_solve(Plan& plan, const IslandPlan& island_plan, const Island& island,
 
 }  // namespace
 
+namespace {
+
+void add(const std::vector<Wanted>& wanted, std::vector<Expr>& roots) {
+  for (const Wanted& item : wanted) {
+    roots.push_back(item.value);
+  }
+}
+
+void add(const IslandPlan& island, std::vector<Expr>& roots) {
+  add(island.solution, roots);
+  for (const mechanics::Pivot& pivot : island.elimination.pivots) {
+    roots.insert(roots.end(), {pivot.diagonal, pivot.pivot, pivot.scale});
+  }
+  for (const auto* values :
+       {&island.elimination.forward, &island.elimination.quotients, &island.elimination.multipliers}) {
+    roots.insert(roots.end(), values->begin(), values->end());
+  }
+  for (const auto* rows :
+       {&island.elimination.rows, &island.elimination.couplings, &island.elimination.constraint_terms}) {
+    for (const std::vector<Expr>& row : *rows) {
+      roots.insert(roots.end(), row.begin(), row.end());
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<Expr> Plan::roots() const {
   std::vector<Expr> roots;
-  const auto add = [&roots](const std::vector<Wanted>& wanted) {
-    for (const Wanted& item : wanted) {
-      roots.push_back(item.value);
-    }
-  };
   for (const auto* wanted : {&initial, &kinematics, &free_accelerations, &constraint_errors, &energy, &outputs,
                              &applied_forces, &couple, &uncouple, &move}) {
-    add(*wanted);
+    add(*wanted, roots);
   }
   for (const std::vector<Wanted>& rows : island_rows) {
-    add(rows);
+    add(rows, roots);
   }
-  const auto add_solve = [&](const IslandPlan& island) {
-    add(island.solution);
-    for (const mechanics::Pivot& pivot : island.elimination.pivots) {
-      roots.push_back(pivot.diagonal);
-      roots.push_back(pivot.pivot);
-      roots.push_back(pivot.scale);
-    }
-    for (const auto* values :
-         {&island.elimination.forward, &island.elimination.quotients, &island.elimination.multipliers}) {
-      roots.insert(roots.end(), values->begin(), values->end());
-    }
-    for (const auto* rows :
-         {&island.elimination.rows, &island.elimination.couplings, &island.elimination.constraint_terms}) {
-      for (const std::vector<Expr>& row : *rows) {
-        roots.insert(roots.end(), row.begin(), row.end());
-      }
-    }
-  };
   for (const auto* solves : {&islands, &position_shifts, &velocity_shifts}) {
-    std::for_each(solves->begin(), solves->end(), add_solve);
+    for (const IslandPlan& island : *solves) {
+      add(island, roots);
+    }
   }
   return roots;
+}
+
+std::vector<Expr> TangentPlan::roots() const {
+  std::vector<Expr> roots;
+  add(kinematics, roots);
+  add(free_accelerations, roots);
+  for (const IslandPlan& island : islands) {
+    add(island, roots);
+  }
+  return roots;
+}
+
+TangentPlan plan_tangent(const Plan& plan, const model::System& system, const Equations& equations,
+                         const Derivatives& derivatives, graph::Graph& graph) {
+  std::vector<const mechanics::Elimination*> solutions;
+  for (const IslandPlan& island : plan.islands) {
+    solutions.push_back(&island.elimination);
+  }
+  const mechanics::Tangent tangent = differentiate_along_direction(equations, derivatives, solutions);
+  TangentPlan result{
+      all_of(Target::Change, tangent.kinematics), unbound(Target::Change, system, tangent.equations), {}};
+  for (std::size_t i = 0; i < derivatives.islands.size(); ++i) {
+    result.islands.push_back(
+        plan_solve(i, Unknowns::Tangents, derivatives.islands[i].rows, system, tangent.equations, graph));
+  }
+  return result;
 }
 
 Plan make_plan(const model::System& system, const Equations& equations, const Derivatives& derivatives,
@@ -207,25 +258,17 @@ Plan make_plan(const model::System& system, const Equations& equations, const De
     plan.initial.push_back(speed);
   }
   plan.kinematics = all_of(Target::Rate, equations.kinematics);
-  std::vector<bool> in_island(system.speeds.size());
   for (std::size_t i = 0; i < derivatives.islands.size(); ++i) {
     const Island& island = derivatives.islands[i];
     plan.islands.push_back(plan_solve(i, Unknowns::Accelerations, island.rows, system, derivatives, graph));
     plan.island_rows.push_back(rows_of(island, system, derivatives));
     name_solve(plan, plan.islands.back(), island, system, derivatives);
-    for (const std::size_t speed : island.speeds) {
-      in_island[speed] = true;
-    }
   }
   if (system.integration.chooses_step()) {
     plan.position_shifts = plan_shifts(mechanics::ErrorLevel::Position, system, derivatives, graph);
     plan.velocity_shifts = plan_shifts(mechanics::ErrorLevel::Velocity, system, derivatives, graph);
   }
-  for (std::size_t j = 0; j < system.speeds.size(); ++j) {
-    if (!in_island[j]) {
-      plan.free_accelerations.push_back({Target::Rate, coordinates + j, derivatives.free[j], j});
-    }
-  }
+  plan.free_accelerations = unbound(Target::Rate, system, derivatives);
   plan_couplings(plan, system, derivatives, graph);
   if (!system.moves_plainly() && !derivatives.islands.empty()) {
     plan.move = displacements(equations, graph);

@@ -25,7 +25,7 @@ struct IslandPlan {
   Unknowns unknowns;
   mechanics::Elimination elimination;
   std::vector<std::size_t> floors;  ///< by pivot: the row of the island whose floor it must keep
-  std::vector<Wanted> solution;     ///< Rate or Shift of the island's speeds when the plain solve holds
+  std::vector<Wanted> solution;     ///< Rate, Change or Shift of the island's speeds when the plain solve holds
 };
 
 struct Plan {
@@ -47,6 +47,18 @@ struct Plan {
 
   std::vector<graph::Expr> roots() const;
 };
+
+/// Derivatives of the rates along a direction: Note [tangent] in mechanics/tangent.hpp.
+struct TangentPlan {
+  std::vector<Wanted> kinematics;          ///< Change of coordinates
+  std::vector<Wanted> free_accelerations;  ///< Change of speeds in no island
+  std::vector<IslandPlan> islands;
+
+  std::vector<graph::Expr> roots() const;
+};
+
+TangentPlan plan_tangent(const Plan& plan, const model::System& system, const mechanics::Equations& equations,
+                         const mechanics::Derivatives& derivatives, graph::Graph& graph);
 
 Plan make_plan(const model::System& system, const mechanics::Equations& equations,
                const mechanics::Derivatives& derivatives, graph::Graph& graph);

@@ -102,6 +102,9 @@ std::string print(const program::Program& program, const model::System& system) 
     printer.kernel("series, slow lanes of an order", program.series->slow);
     printer.kernel("series, solve of an order", program.series->solve);
   }
+  if (program.tangent) {
+    printer.kernel("tangent", *program.tangent);
+  }
   printer.kernel("constraint_errors", program.constraint_errors);
   printer.kernel("energy", program.energy);
   printer.kernel("outputs", program.outputs);

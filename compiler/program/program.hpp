@@ -88,7 +88,7 @@ struct Section {
 };
 
 /// What an island is solved for.
-enum class Unknowns { Accelerations, Displacements, SpeedChanges };
+enum class Unknowns { Accelerations, Displacements, SpeedChanges, Tangents };
 
 /// The unknowns of one island: `solve`, and the rest of the rank ladder instead if a guard does not hold. Without
 /// guards the pivots are constant and safe.
@@ -103,7 +103,7 @@ struct IslandSolve {
 struct Kernel {
   Level level = Level::State;
   std::vector<Section> sections;
-  std::vector<IslandSolve> islands;  ///< after the sections; in `rates`, the shifts and the start of a series
+  std::vector<IslandSolve> islands;  ///< after the sections; in `rates`, tangents, the shifts and the start of a series
   std::vector<NodeId> provides;      ///< values that kernels of higher levels read
 };
 
@@ -147,6 +147,7 @@ struct Program {
   Kernel outputs;
   Kernel applied_forces;
   std::optional<SeriesKernels> series;  ///< where a method wants it
+  std::optional<Kernel> tangent;        ///< likewise
 };
 
 }  // namespace mbcc::program

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/methods.hpp"
 #include "program/lower.hpp"
 #include "program/plan.hpp"
 #include "program/series_plan.hpp"
@@ -37,7 +38,9 @@ class Scheduler {
     return kernel;
   }
 
-  Kernel rates(const Plan& plan) {
+  /// The kernel of a plan of the motion, or of its tangent.
+  template <class PlanOfMotion>
+  Kernel motion(const PlanOfMotion& plan) {
     Kernel kernel;
     std::set<NodeId> computed;
     kernel.sections.push_back(section(Level::State, plan.kinematics, computed));
@@ -200,6 +203,7 @@ class Scheduler {
     IslandSolve solve;
     solve.island = plan.island;
     solve.unknowns = plan.unknowns;
+    solve.refuses = plan.unknowns == Unknowns::Tangents;
     const mechanics::Elimination& elimination = plan.elimination;
     if (must_climb(plan.elimination.pivots, plan.solution.size())) {
       solve.always_climbs = true;
@@ -256,7 +260,7 @@ program::Program schedule(const model::System& system, const mechanics::Equation
   }
   Scheduler scheduler(plan.roots(), plan.names, program);
   program.initial = scheduler.kernel(Level::Parameter, plan.initial);
-  program.rates = scheduler.rates(plan);
+  program.rates = scheduler.motion(plan);
   program.position_shifts = scheduler.shifts(plan.position_shifts);
   program.velocity_shifts = scheduler.shifts(plan.velocity_shifts);
   for (const std::vector<Wanted>& rows : plan.island_rows) {
@@ -274,6 +278,12 @@ program::Program schedule(const model::System& system, const mechanics::Equation
     Scheduler series_scheduler(series.roots(), plan.names, program);  // lowers apart: other kernels stay as they are
     program.series = series_scheduler.series(series);
     scheduler.join(series_scheduler);
+  }
+  if (needs(system.integration, model::Code::Tangent)) {
+    const TangentPlan tangent = plan_tangent(plan, system, equations, derivatives, graph);
+    Scheduler tangent_scheduler(tangent.roots(), plan.names, program);  // likewise
+    program.tangent = tangent_scheduler.motion(tangent);
+    scheduler.join(tangent_scheduler);
   }
   program.time = scheduler.provider(Level::Time);
   program.prepare = scheduler.provider(Level::Parameter);

@@ -7,8 +7,8 @@
 
 namespace mbcc {
 
-/// Adds the symbolic elimination to `graph`; the Program owns a graph of its own. `with_series`: has what method
-/// `taylor` needs.
+/// Adds the symbolic elimination to `graph`; the Program owns a graph of its own. It has the derivatives of the rates
+/// where a method of the system's integration needs them, and `with_series` what method `taylor` needs.
 program::Program schedule(const model::System& system, const mechanics::Equations& equations,
                           const mechanics::Derivatives& derivatives, graph::Graph& graph, bool with_series);
 

@@ -38,6 +38,11 @@ class AnyDynamics {
     return expanded.has_value();
   }
 
+  /// Not of the equations that a stabilization makes.
+  bool tangent(const State& y, const State& direction, State& change) {
+    return !stabilization_ && model_.tangent(y, direction, change);
+  }
+
   /// One step of Newton's method for the coordinates, then one for the speeds.
   void project(State& y) {
     const std::span<double> all = y;

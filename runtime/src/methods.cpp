@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "any_dynamics.hpp"
 #include "mbrt/dop853.hpp"
 #include "mbrt/math.hpp"
+#include "mbrt/radau.hpp"
 #include "mbrt/rk4.hpp"
 #include "mbrt/simulation.hpp"
 #include "mbrt/taylor.hpp"
@@ -49,6 +51,49 @@ struct StageProbe {
   }
 };
 
+/// Goes on with a run that has shown its start already.
+class Rest final : public Observer {
+ public:
+  explicit Rest(Observer& observer) : observer_(observer) {}
+
+  void arriving() override { observer_.arriving(); }
+  bool accepted(double time, std::span<const double> state, std::span<const double> rate,
+                const Interpolant* between) override {
+    const bool is_known = !std::exchange(has_begun_, true);
+    return is_known || observer_.accepted(time, state, rate, between);
+  }
+
+ private:
+  Observer& observer_;
+  bool has_begun_ = false;
+};
+
+Course integrate_by(std::string_view method, AnyModel& model, const std::vector<Island>& islands,
+                    const Options& options, const Task& task, std::vector<double>& state, Observer* observer) {
+  const bool has_own_code = model.has_code_for(method) && !options.stabilization;
+  if (has_own_code && (!task.project || model.can_project())) {
+    return observer == nullptr ? model.integrate(method, task, state) : model.integrate(method, task, state, *observer);
+  }
+  AnyDynamics dynamics(model, islands, options.stabilization);
+  Course course;
+#define MBRT_METHOD(type, steps, description)            \
+  if (method == type::name) {                            \
+    course = run<type>(dynamics, state, task, observer); \
+  }
+#include "methods.def"
+  return course;
+}
+
+/// `first` and what came after it.
+Course joined(const Course& first, Course rest) {
+  rest.steps += first.steps;
+  rest.rejected += first.rejected;
+  rest.evaluations += first.evaluations;
+  rest.projections += first.projections;
+  rest.stiff_from = first.stiff_from;
+  return rest;
+}
+
 }  // namespace
 
 std::span<const MethodEntry> methods() { return entries; }
@@ -61,19 +106,19 @@ const MethodEntry* find_method(std::string_view name) {
 
 Course integrate(AnyModel& model, const std::vector<Island>& islands, const Options& options, const Task& task,
                  std::vector<double>& state, Observer* observer) {
-  const bool has_own_code = model.has_code_for(options.method) && !options.stabilization;
-  if (has_own_code && (!task.project || model.can_project())) {
-    return observer == nullptr ? model.integrate(options.method, task, state)
-                               : model.integrate(options.method, task, state, *observer);
+  Task first = task;
+  first.leaves_stiff = options.chosen_by_auto && model.description().has_tangent;
+  const Course course = integrate_by(options.method, model, islands, options, first, state, observer);
+  if (course.ending != Ending::Stiff) {
+    return course;
   }
-  AnyDynamics dynamics(model, islands, options.stabilization);
-  Course course;
-#define MBRT_METHOD(type, steps, description)            \
-  if (options.method == type::name) {                    \
-    course = run<type>(dynamics, state, task, observer); \
+  Task second = task;
+  second.from = course.time;
+  if (observer == nullptr) {
+    return joined(course, integrate_by(Radau::name, model, islands, options, second, state, nullptr));
   }
-#include "methods.def"
-  return course;
+  Rest rest(*observer);
+  return joined(course, integrate_by(Radau::name, model, islands, options, second, state, &rest));
 }
 
 double find_failing_stage(AnyModel& model, double time, double step, std::span<double> state) {

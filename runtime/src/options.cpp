@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "mbrt/dop853.hpp"
+#include "mbrt/radau.hpp"
 #include "mbrt/rk4.hpp"
 #include "mbrt/taylor.hpp"
 #include "methods.hpp"
@@ -125,6 +126,14 @@ const char* choose_method(const Description& model, const Typed& typed) {
   return model.has_series && typed.options.tolerance <= tolerance_for_series ? Taylor::name : Dop853::name;
 }
 
+void check_tangent(const Description& model, const Typed& typed) {
+  if (typed.options.method == Radau::name && !model.has_tangent) {
+    throw UsageError{
+        "this program has no derivatives of its rates: compile the model with `--method radau`, or let its `integrate` "
+        "name the method"};
+  }
+}
+
 void check_series(const Description& model, const Typed& typed) {
   if (typed.options.method != Taylor::name) {
     return;
@@ -152,6 +161,7 @@ void set_method(const Description& model, Typed& typed) {
   }
   options.chosen_by_auto = is_auto && method->chooses_step;
   check_series(model, typed);
+  check_tangent(model, typed);
   if (options.tolerance < std::numeric_limits<double>::epsilon()) {
     throw UsageError{fmt::format("the tolerance {} is below {:.2g}, the rounding of numbers", options.tolerance,
                                  std::numeric_limits<double>::epsilon())};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "durations.hpp"
+#include "mbrt/radau.hpp"
 #include "methods.hpp"
 
 namespace mbrt {
@@ -43,6 +44,12 @@ class Report {
     if (outcome_.fallbacks > 0) {
       line("{} left to `dop853`, where there is no series", counted(outcome_.fallbacks, "step"));
     }
+    stiffness();
+    if (outcome_.jacobians > 0) {
+      line("{}{}, {}", counted(outcome_.jacobians, "Jacobian"),
+           outcome_.differenced == 0 ? "" : fmt::format(" ({} by differences)", outcome_.differenced),
+           counted(outcome_.factorisations, "factorisation"));
+    }
     if (!findings_.constraints.empty()) {
       constraint_errors();
       rank_events();
@@ -67,6 +74,17 @@ class Report {
     text_ = fmt::format("{}: {}, {}, {} from t = {} to {:.9g}{} in {}{}\n", model_.model, name(outcome_.status),
                         options_.method + (options_.chosen_by_auto ? " by auto" : ""), steps(), options_.from,
                         outcome_.time, end, duration(outcome_.wall_seconds), outcome_.monitored ? "" : " unobserved");
+  }
+
+  void stiffness() {
+    if (std::isnan(outcome_.stiff_from)) {
+      return;
+    }
+    if (outcome_.jacobians > 0) {
+      line("`{}` from t = {:.9g} on, where the motion is stiff", Radau::name, outcome_.stiff_from);
+    } else {
+      line("stiff from t = {:.9g} on: `--method {}` takes longer steps", outcome_.stiff_from, Radau::name);
+    }
   }
 
   /// "1000 steps of 0.005", "80 steps (3 more rejected) to tolerance 1e-09".

@@ -74,6 +74,10 @@ class Watch final : public Observer {
     outcome.evaluations = course.evaluations;
     outcome.projections = course.projections;
     outcome.fallbacks = course.fallbacks;
+    outcome.stiff_from = course.stiff_from;
+    outcome.jacobians = course.jacobians;
+    outcome.differenced = course.differenced;
+    outcome.factorisations = course.factorisations;
     outcome.wall_seconds = seconds - recording_;
     outcome.time = time_;
     outcome.state = state_;

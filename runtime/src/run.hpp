@@ -23,7 +23,11 @@ struct Outcome {
   long steps = 0;       ///< accepted
   long rejected = 0;
   long evaluations = 0;
-  long fallbacks = 0;  ///< steps of `taylor` that were taken by dop853
+  long fallbacks = 0;             ///< steps of `taylor` that were taken by dop853
+  double stiff_from = not_given;  ///< when stability came to bound the steps of `dop853`
+  long jacobians = 0;             ///< that `radau` took
+  long differenced = 0;           ///< of those, by differences
+  long factorisations = 0;
   long projections = 0;
   double wall_seconds = 0;
   bool monitored = true;  ///< whether wall_seconds includes the monitors

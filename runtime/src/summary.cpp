@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "columns.hpp"
+#include "mbrt/radau.hpp"
 #include "mbrt/taylor.hpp"
 #include "methods.hpp"
 
@@ -85,6 +87,14 @@ std::string summary_json(const Description& model, const Options& options, const
   }
   if (options.method == Taylor::name) {
     summary["fallbacks"] = outcome.fallbacks;
+  }
+  if (!std::isnan(outcome.stiff_from)) {
+    summary["stiff_from"] = outcome.stiff_from;
+  }
+  if (options.method == Radau::name || outcome.jacobians > 0) {
+    summary["jacobians"] = outcome.jacobians;
+    summary["differenced"] = outcome.differenced;
+    summary["factorisations"] = outcome.factorisations;
   }
   if (options.project && !outcome.solves.empty()) {
     summary["projections"] = outcome.projections;

@@ -36,7 +36,7 @@ TEST_CASE("wrong usage is exit code 2 and one line that says what would be right
   CHECK(refusal({model, "-o", shop.path("no/such/folder.cpp")}) ==
         "mbcc: error: cannot write `" + shop.path("no/such/folder.cpp") + "`\n");
   CHECK(refusal({model, "-o", "-", "--method", "rk5"}) ==
-        "mbcc: error: --method: rk5 not in {rk4,dop853,taylor,auto} (see `mbcc --help`)\n");
+        "mbcc: error: --method: rk5 not in {rk4,dop853,taylor,radau,auto} (see `mbcc --help`)\n");
   CHECK(refusal({"dialog", "-"}) ==
         "mbcc: error: a dialog reads answers and prints questions: name files for its models\n");
   CHECK(refusal({"dialog", none}) == "mbcc: error: cannot read `" + none + "`\n");

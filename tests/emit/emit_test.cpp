@@ -75,7 +75,24 @@ TEST_CASE("a program has Taylor series where its model names a method that takes
     }
   }
   CHECK(contains(emitted(with_method("taylor")), "mbrt::simulate<mbrt::Taylor>(model, argc, argv)"));
-  CHECK(contains(emitted(with_method("auto")), "mbrt::simulate<mbrt::Dop853, mbrt::Taylor>(model, argc, argv)"));
+}
+
+TEST_CASE("a program has derivatives of its rates where its model names a method that takes them, and only there") {
+  for (const std::string& model : {chain(2), springs(3)}) {
+    const auto with_method = [&](const std::string& method) {
+      return model + "integrate { from = 0; to = 1; step = 0.1; method = " + method + " }\n";
+    };
+    for (const std::string method : {"radau", "auto"}) {
+      CHECK(contains(emitted(with_method(method)), "bool tangent(const State& "));
+    }
+    for (const std::string method : {"rk4", "dop853", "taylor"}) {
+      CHECK_FALSE(contains(emitted(with_method(method)), "tangent"));
+      CHECK_FALSE(contains(emitted(with_method(method)), "direction"));
+    }
+    CHECK(contains(emitted(with_method("radau")), "mbrt::simulate<mbrt::Radau>(model, argc, argv)"));
+    CHECK(contains(emitted(with_method("auto")),
+                   "mbrt::simulate<mbrt::Dop853, mbrt::Taylor, mbrt::Radau>(model, argc, argv)"));
+  }
 }
 
 TEST_CASE("a scene without constraints has no solver in its text") {

@@ -42,8 +42,11 @@ TEST_CASE("mistakes on the command line end with exit code 2 and one line") {
       {{"--npy", "-"}, "`--npy` needs a file: the number of rows stands at its beginning and is known at the end"},
       {{"--residuals"}, "`--residuals` adds to what is recorded: it needs `--csv` or `--npy`"},
       {{"--csv", "/nowhere/a.csv"}, "cannot write `/nowhere/a.csv`: No such file or directory"},
+      {{"--method", "rk5"},
+       "the method `rk5` is not part of this version of mbcc, which has `rk4`, `dop853`, `taylor`, `radau` and `auto`"},
       {{"--method", "radau"},
-       "the method `radau` is not part of this version of mbcc, which has `rk4`, `dop853`, `taylor` and `auto`"},
+       "this program has no derivatives of its rates: compile the model with `--method radau`, or let its `integrate` "
+       "name the method"},
       {{"--method", "taylor"},
        "this program has no Taylor series: compile the model with `--method taylor`, or let its `integrate` name the "
        "method"},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "allocations.hpp"
+#include "circle.hpp"
 #include "equation.hpp"
 #include "sample_model.hpp"
 #include "scenes.hpp"
@@ -20,29 +21,6 @@ using namespace mbrt::test;
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-auto circle() {
-  return equation<std::array<double, 2>>([](double, const auto& y, auto& rate) { rate = {-y[1], y[0]}; });
-}
-
-Task task(double from, double to, double tolerance) { return {from, to, 0, tolerance, {}, false}; }
-
-/// Asks `see(time, between)` at the end of every step whether to go on.
-template <class Function>
-struct Watching {
-  Function see;
-  void arriving() {}
-  template <class State>
-  bool accepted(double, const State&, const State&) {
-    return true;
-  }
-  template <class State, class Between>
-  bool accepted(double time, const State&, const State&, const Between& between) {
-    return see(time, between);
-  }
-};
-template <class Function>
-Watching(Function) -> Watching<Function>;
 
 template <class M>
 Course run_to(M& model, typename M::State& y, const Task& task) {

@@ -94,6 +94,29 @@ TEST_CASE("a report of a method that chooses its steps tells how well they were 
         "throw: ok, dop853 by auto, 80 steps (3 more rejected) to tolerance 1e-09 from t = 0 to 1 in 0 ms\n");
 }
 
+TEST_CASE("a report tells where a motion became stiff, and what an implicit method took") {
+  Description model{};
+  model.model = "throw";
+  Options options;
+  options.to = 1;
+  options.method = "dop853";
+  Outcome outcome;
+  outcome.steps = 80;
+  outcome.time = 1;
+  outcome.stiff_from = 0.25;
+  CHECK(report(model, options, outcome) ==
+        "throw: ok, dop853, 80 steps to tolerance 1e-09 from t = 0 to 1 in 0 ms\n"
+        "  stiff from t = 0.25 on: `--method radau` takes longer steps\n");
+  options.chosen_by_auto = true;
+  outcome.jacobians = 3;
+  outcome.differenced = 1;
+  outcome.factorisations = 1;
+  CHECK(report(model, options, outcome) ==
+        "throw: ok, dop853 by auto, 80 steps to tolerance 1e-09 from t = 0 to 1 in 0 ms\n"
+        "  `radau` from t = 0.25 on, where the motion is stiff\n"
+        "  3 Jacobians (1 by differences), 1 factorisation\n");
+}
+
 TEST_CASE("a report of many constraints, islands and events shows the worst, and counts the rest") {
   constexpr int many = 20;
   std::array<std::string, many> names;

@@ -2,7 +2,9 @@
 // Models at chosen states, in the order of use that mbrt::Model asks for; the same for emitted classes and for the
 // interpreter.
 
+#include <algorithm>
 #include <array>
+#include <mbrt/dynamics.hpp>
 #include <mbrt/model.hpp>
 #include <mbrt/series.hpp>
 #include <memory>
@@ -46,8 +48,24 @@ std::vector<double> coefficients_at(M& model, const typename M::State& state) {
   return all;
 }
 
+/// The Jacobian of the rates at a state, column by column; nothing where it is not accurate there.
+template <class M>
+std::vector<double> jacobian_at(M& model, const typename M::State& state) {
+  std::vector<double> columns;
+  typename M::State direction = state, change = state;
+  for (std::size_t j = 0; j < state.size(); ++j) {
+    std::fill(direction.begin(), direction.end(), 0.0);
+    direction[j] = 1;
+    if (!model.tangent(state, direction, change)) {
+      return {};
+    }
+    columns.insert(columns.end(), change.begin(), change.end());
+  }
+  return columns;
+}
+
 /// Everything that `model` computes at a state: its rate; then errors of constraints at position, velocity and
-/// acceleration level, outputs, energy, applied forces and Taylor coefficients, where it has them.
+/// acceleration level, outputs, energy, applied forces, Taylor coefficients and Jacobian, where it has them.
 template <mbrt::Model M>
 std::vector<double> everything_at(M& model, double time, const typename M::State& state) {
   typename M::State rate = state;
@@ -82,6 +100,10 @@ std::vector<double> everything_at(M& model, double time, const typename M::State
   if constexpr (mbrt::HasSeries<M>) {
     const std::vector<double> coefficients = coefficients_at(model, state);
     all.insert(all.end(), coefficients.begin(), coefficients.end());
+  }
+  if constexpr (mbrt::HasTangent<M>) {
+    const std::vector<double> columns = description.has_tangent ? jacobian_at(model, state) : std::vector<double>();
+    all.insert(all.end(), columns.begin(), columns.end());
   }
   return all;
 }

@@ -71,7 +71,14 @@ Course run_adaptively(M& model, typename M::State& state, const Task& task, S& s
   if (goes_on && t < task.to) {
     stepper.begin(model, task);
   }
-  while (goes_on && t < task.to) {
+  const auto stays = [&] {
+    if constexpr (requires { stepper.stiff_from(); }) {
+      return !task.leaves_stiff || std::isnan(stepper.stiff_from());
+    } else {
+      return true;
+    }
+  };
+  while (goes_on && t < task.to && stays()) {
     const Attempt attempt = stepper.attempt(model, t, task.to);
     if (attempt.error <= 1) {
       t = attempt.end;
@@ -90,8 +97,8 @@ Course run_adaptively(M& model, typename M::State& state, const Task& task, S& s
       break;
     }
   }
-  if (!goes_on && t < task.to) {
-    course.ending = Ending::Stopped;
+  if (course.ending == Ending::Complete && t < task.to) {
+    course.ending = goes_on ? Ending::Stiff : Ending::Stopped;
   }
   course.time = t;
   course.evaluations += stepper.evaluations();

@@ -58,6 +58,9 @@ class AnyModel {
   /// Taylor coefficients of the motion through `state`, valid until the next call; nothing where there are none.
   virtual std::optional<Coefficients> expand(std::span<const double> state, std::size_t order) = 0;
 
+  /// The derivative of the rates along a direction: HasTangent in dynamics.hpp.
+  virtual bool tangent(std::span<const double> state, std::span<const double> direction, std::span<double> change) = 0;
+
   /// Whether a method was compiled for this very model. The library has the others, for any model.
   virtual bool has_code_for(std::string_view method) const = 0;
   /// Whether such code can project: the model has code for it, or nothing to project onto.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,8 @@ class Dop853Stepper {
   const State& start() const { return begin_; }
   double step() const { return step_; }
   long evaluations() const { return evaluations_; }
+  /// When the motion was found to be stiff: NaN if it was not.
+  double stiff_from() const { return stiff_from_; }
 
   template <Dynamics M>
   void begin(M& model, const Task& task) {
@@ -52,6 +55,7 @@ class Dop853Stepper {
   template <Dynamics M>
   [[gnu::noinline]] Attempt attempt(M& model, double time, double to) {
     if (arrived_) {
+      watch_stability();
       leave();
     }
     const double end = landing(time, step_, to);
@@ -208,6 +212,36 @@ class Dop853Stepper {
     climbs_ = now;
   }
 
+  /// Looks now and then whether steps are as long as stability allows, and closer while it seems so: Hairer and Wanner,
+  /// volume II, section IV.2.
+  void watch_stability() {
+    constexpr int steps_between = 16, enough = 15, forgotten_after = 6;
+    if (std::isnan(stiff_from_) && (suspicions_ > 0 || ++unwatched_ == steps_between)) {
+      unwatched_ = 0;
+      if (is_bound_by_stability()) {
+        calm_ = 0;
+        stiff_from_ = ++suspicions_ == enough ? end_time_ : stiff_from_;
+      } else if (++calm_ == forgotten_after) {
+        calm_ = suspicions_ = 0;
+      }
+    }
+  }
+
+  /// The last stage and the end of a step are at one time and near each other: the difference of their rates over that
+  /// of their states estimates the largest eigenvalue. The method is stable up to 6.1 of it over a step.
+  [[gnu::noinline]] bool is_bound_by_stability() const {
+    constexpr std::size_t last = dop853::stages - 1;
+    double of_rates = 0, of_states = 0;
+    for (std::size_t j = 0; j < end_.size(); ++j) {
+      const double rate = k_[dop853::stages][j] - k_[last][j];
+      const double state = end_[j] - begin_[j] - tried_step_ * sum<dop853::StageSum<last>>(j);
+      of_rates += rate * rate;
+      of_states += state * state;
+    }
+    constexpr double stable = 6.1;
+    return of_states > 0 && tried_step_ * tried_step_ * of_rates > stable * stable * of_states;
+  }
+
   double allowed(std::size_t j) const {
     return allowed_[j] + tolerance_ * std::max(std::abs(begin_[j]), std::abs(end_[j]));
   }
@@ -307,6 +341,10 @@ class Dop853Stepper {
   int gentle_rejections_ = 0;     // likewise
   long climbs_ = 0;               // of the model, when a step was last rejected
   bool dense_is_ready_ = false;
+  int unwatched_ = 0;   // steps since stability was looked at
+  int suspicions_ = 0;  // steps that it seemed to bound
+  int calm_ = 0;        // and not, since the last of them
+  double stiff_from_ = std::numeric_limits<double>::quiet_NaN();
   long evaluations_ = 0;
 };
 
@@ -322,11 +360,20 @@ struct Dop853 {
     if constexpr (sizeof(Steps) > most_bytes_on_stack) {
       std::vector<Steps> steps;
       steps.emplace_back(state);
-      return run_adaptively(model, state, task, steps.front(), observer);
+      return run(model, state, task, observer, steps.front());
     } else {
       Steps steps(state);
-      return run_adaptively(model, state, task, steps, observer);
+      return run(model, state, task, observer, steps);
     }
+  }
+
+ private:
+  template <Dynamics M, class Observer>
+  static Course run(M& model, typename M::State& state, const Task& task, Observer& observer,
+                    Dop853Stepper<typename M::State>& steps) {
+    Course course = run_adaptively(model, state, task, steps, observer);
+    course.stiff_from = steps.stiff_from();
+    return course;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -25,6 +26,14 @@ concept Projectable = Dynamics<M> && requires(M& model, typename M::State& state
   model.project(state);
   model.island(0).record->pinv + model.island(0).record->refined;
   model.description().islands.size();
+};
+
+/// Dynamics with derivatives: `change` becomes that of rates(y) along `direction`, a state, at the time set. False
+/// where there is none that is accurate enough.
+template <class M>
+concept HasTangent = Dynamics<M> &&
+    requires(M& model, const typename M::State& y, const typename M::State& direction, typename M::State& change) {
+  { model.tangent(y, direction, change) } -> std::convertible_to<bool>;
 };
 
 /// How often islands were not solved the plain way so far: Note [rank ladder] in island.hpp.
@@ -94,12 +103,14 @@ struct Task {
   double step;
   double tolerance;
   Scales scales;
-  bool project;  ///< moves every accepted state onto the constraints
+  bool project;               ///< moves every accepted state onto the constraints
+  bool leaves_stiff = false;  ///< ends where a method finds out that the motion is too stiff for it
 };
 
 enum class Ending {
   Complete,      ///< at Task::to
   Stopped,       ///< by the observer
+  Stiff,         ///< as Task::leaves_stiff asks for
   StepTooSmall,  ///< no step that the time can still resolve meets the tolerance
   NotFinite,     ///< every step meets a rate that is not a finite number
 };
@@ -115,6 +126,10 @@ struct Course {
   long evaluations = 0;
   long projections = 0;
   long fallbacks = 0;  ///< of the steps, those that a method left to another one
+  double stiff_from = std::numeric_limits<double>::quiet_NaN();  ///< from when on stability bounded explicit steps
+  long jacobians = 0;                                            ///< taken by an implicit method
+  long differenced = 0;                                          ///< of those, by differences of rates
+  long factorisations = 0;                                       ///< of its systems: a real one and a complex one each
 };
 
 /// Whether a state is small enough for code without loops, in which the compiler keeps it in registers.

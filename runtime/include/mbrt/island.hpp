@@ -77,6 +77,11 @@ constexpr bool holds(double pivot, double diagonal, double floor, std::size_t ro
   return pivot >= plain_pivot_ratio(rows) * diagonal && pivot >= floor;
 }
 
+/// The condition on which what the plain solve gives is good enough to start an iteration with: eps / ratio <= 1e-6.
+constexpr bool nearly_holds(double pivot, double diagonal, double floor) {
+  return pivot >= refined_pivot_ratio * diagonal && pivot >= floor;
+}
+
 constexpr std::size_t scratch_size(std::size_t rows, std::size_t columns) { return rows * rows + 6 * (rows + columns); }
 
 /// Storage of an island whose size is known at compile time.
@@ -91,6 +96,9 @@ class IslandStorage {
   double floor(std::size_t row) const { return floor_[row]; }
   static constexpr bool holds(double pivot, double diagonal, double floor) {
     return mbrt::holds(pivot, diagonal, floor, Rows);
+  }
+  static constexpr bool nearly_holds(double pivot, double diagonal, double floor) {
+    return mbrt::nearly_holds(pivot, diagonal, floor);
   }
 
  private:

@@ -66,6 +66,7 @@ struct Description {
   /// Indices into the state, coordinates first, in order of declaration, which is that of columns of results. Empty
   /// where the state has that order too.
   std::span<const int> columns = {};
+  bool has_tangent = false;  ///< emitted with derivatives of its rates: method `radau`
 };
 
 /// A mechanical system as functions of its state y = (coordinates, speeds), an indexable range of doubles.

@@ -76,7 +76,7 @@ struct SeriesStorage<M> {
 template <Model M, class... Methods>
 class BoundModel final : public AnyModel {
  public:
-  explicit BoundModel(M& model) : model_(model), state_(model.initial_state()), rate_(state_) {}
+  explicit BoundModel(M& model) : model_(model), state_(model.initial_state()), rate_(state_), direction_(state_) {}
 
   const Description& description() const override { return model_.description(); }
   std::span<double> parameters() override { return model_.parameters(); }
@@ -162,6 +162,19 @@ class BoundModel final : public AnyModel {
     }
   }
 
+  bool tangent([[maybe_unused]] std::span<const double> state, [[maybe_unused]] std::span<const double> direction,
+               [[maybe_unused]] std::span<double> change) override {
+    if constexpr (HasTangent<M>) {
+      take(state, state_);
+      take(direction, direction_);
+      const bool is_accurate = model_.tangent(state_, direction_, rate_);
+      give(rate_, change);
+      return is_accurate;
+    } else {
+      return false;
+    }
+  }
+
   bool has_code_for(std::string_view method) const override { return ((method == Methods::name) || ...); }
   bool can_project() const override { return Projectable<M> || !HasConstraints<M>; }
   Course integrate(std::string_view method, const Task& task, std::span<double> state, Observer& observer) override {
@@ -196,6 +209,7 @@ class BoundModel final : public AnyModel {
   M& model_;
   State state_;
   State rate_;
+  State direction_;
   std::vector<typename SeriesStorage<M>::Type> series_;  ///< one, when it is first asked for
 };
 
