@@ -10,9 +10,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "emitted_case.hpp"
 #include "mechanics/eliminate.hpp"
-#include "support/compiled.hpp"
-#include "support/emitted_models.hpp"
 #include "support/model_states.hpp"
 #include "support/random.hpp"
 
@@ -67,12 +66,6 @@ std::vector<double> expected(Compilation& c, double time, const std::vector<doub
   }
 }
 
-struct Case {
-  std::string name;
-  Compilation compilation;
-  Question question;
-};
-
 /// `states` states a little off the start, and so a little off the constraints.
 Case make_case(const std::string& name, const std::string& path, std::string text, std::size_t states) {
   Case result{name, compile(path, std::move(text), {false, Stage::Program, false, "taylor"}), {}};
@@ -122,16 +115,7 @@ bool is_checked(Case& c, const std::vector<double>& answer, std::size_t i) {
 
 /// Builds all cases into one program and compares; returns the names of the cases with a state that has no series.
 std::vector<std::string> compare(std::vector<Case>& cases) {
-  EmittedModels emitted;
-  std::vector<Question> questions;
-  for (Case& c : cases) {
-    emitted.add(c.name, emit(*c.compilation.program, *c.compilation.system, c.compilation.sources, {true, false}));
-    questions.push_back(c.question);
-  }
-  const Outcome built = emitted.build({"-O0", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror"});
-  INFO(built.errors);
-  REQUIRE(built.exit_code == 0);
-  const std::vector<Answers> answers = emitted.ask(questions);
+  const std::vector<Answers> answers = answers_of(cases);
   std::vector<std::string> refused;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     for (std::size_t i = 0; i < answers[c].size(); ++i) {

@@ -7,8 +7,7 @@
 #include <filesystem>
 
 #include "driver/interpreted_model.hpp"
-#include "support/compiled.hpp"
-#include "support/emitted_models.hpp"
+#include "emitted_case.hpp"
 #include "support/model_states.hpp"
 #include "support/random_scene.hpp"
 
@@ -20,12 +19,7 @@ constexpr double step = 1e-5;
 constexpr std::array offsets = {-2.0, -1.0, 1.0, 2.0};
 constexpr std::array weights = {1.0 / 12, -8.0 / 12, 8.0 / 12, -1.0 / 12};
 
-struct Case {
-  std::string name;
-  Compilation compilation;
-  Question question;  ///< a state a little off the start, then moved along each component
-};
-
+/// The question is of a state a little off the start, then of it moved along each component.
 Case make_case(const std::string& name, const std::string& path, std::string text, Random& random) {
   Case result{name, compile(path, std::move(text), {false, Stage::Program, false, "radau"}), {}};
   if (result.compilation.diagnostics.has_errors()) {
@@ -88,16 +82,7 @@ bool is_checked(const Case& c, const Answers& answers) {
 
 /// Builds all cases into one program and compares; returns the names of those that have no Jacobian.
 std::vector<std::string> compare(const std::vector<Case>& cases) {
-  EmittedModels emitted;
-  std::vector<Question> questions;
-  for (const Case& c : cases) {
-    emitted.add(c.name, emit(*c.compilation.program, *c.compilation.system, c.compilation.sources, {true, false}));
-    questions.push_back(c.question);
-  }
-  const Outcome built = emitted.build({"-O0", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror"});
-  INFO(built.errors);
-  REQUIRE(built.exit_code == 0);
-  const std::vector<Answers> answers = emitted.ask(questions);
+  const std::vector<Answers> answers = answers_of(cases);
   std::vector<std::string> refused;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     if (!is_checked(cases[c], answers[c])) {
@@ -107,7 +92,7 @@ std::vector<std::string> compare(const std::vector<Case>& cases) {
                                  cases[c].compilation.sources);
     start(interpreter);
     INFO(cases[c].name);
-    CHECK(everything_at(interpreter, questions[c].times[0], questions[c].states[0]) == answers[c][0]);
+    CHECK(everything_at(interpreter, cases[c].question.times[0], cases[c].question.states[0]) == answers[c][0]);
   }
   std::sort(refused.begin(), refused.end());
   return refused;

@@ -1,5 +1,5 @@
 #pragma once
-// A circle to follow, and who watches the steps.
+// A circle to follow, runs to the end, and who watches the steps.
 
 #include <array>
 
@@ -13,6 +13,13 @@ inline auto circle() {
 }
 
 inline Task task(double from, double to, double tolerance) { return {from, to, 0, tolerance, {}, false}; }
+
+/// To the task's end, which becomes y.
+template <class Method, class M>
+Course run_to(M& model, typename M::State& y, const Task& task) {
+  Unobserved nobody;
+  return Method::run(model, y, task, nobody);
+}
 
 /// Asks `see(time, between)` at the end of every step whether to go on.
 template <class Function>

@@ -22,12 +22,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-template <class M>
-Course run_to(M& model, typename M::State& y, const Task& task) {
-  Unobserved nobody;
-  return Dop853::run(model, y, task, nobody);
-}
-
 }  // namespace
 
 TEST_CASE("quadratures up to the order are exact, between steps too") {
@@ -57,7 +51,7 @@ TEST_CASE("errors follow the tolerance in proportion, and the steps its eighth r
   for (std::size_t i = 0; i < 3; ++i) {
     auto model = circle();
     std::array<double, 2> y = {1, 0};
-    steps[i] = run_to(model, y, task(0, 100, std::pow(10.0, -5 - 4 * static_cast<double>(i)))).steps;
+    steps[i] = run_to<Dop853>(model, y, task(0, 100, std::pow(10.0, -5 - 4 * static_cast<double>(i)))).steps;
     errors[i] = std::hypot(y[0] - std::cos(100), y[1] - std::sin(100));
   }
   for (std::size_t i = 0; i < 2; ++i) {
@@ -71,7 +65,7 @@ TEST_CASE("errors follow the tolerance in proportion, and the steps its eighth r
 TEST_CASE("no evaluation is beyond the end, all are counted, and eleven make a step") {
   auto model = circle();
   std::array<double, 2> y = {1, 0};
-  const Course course = run_to(model, y, task(0, 10, 1e-9));
+  const Course course = run_to<Dop853>(model, y, task(0, 10, 1e-9));
   CHECK(*std::max_element(model.times.begin(), model.times.end()) == 10);
   CHECK(course.time == 10);
   CHECK(course.evaluations == model.evaluations);
@@ -82,7 +76,7 @@ TEST_CASE("no evaluation is beyond the end, all are counted, and eleven make a s
 TEST_CASE("a span of no length is its own end") {
   auto model = circle();
   std::array<double, 2> y = {1, 0};
-  const Course course = run_to(model, y, task(3, 3, 1e-9));
+  const Course course = run_to<Dop853>(model, y, task(3, 3, 1e-9));
   CHECK(course.ending == Ending::Complete);
   CHECK(course.steps == 0);
   CHECK(y == std::array<double, 2>{1, 0});
@@ -98,7 +92,7 @@ TEST_CASE("the last steps share what is left") {
 TEST_CASE("a pole ends the run just before it, with the component that cannot follow") {
   auto pole = equation<std::array<double, 2>>([](double, const auto& y, auto& rate) { rate = {1, y[1] * y[1]}; });
   std::array<double, 2> y = {0, 1};  // y = 1/(1 - t)
-  const Course course = run_to(pole, y, task(0, 2, 1e-9));
+  const Course course = run_to<Dop853>(pole, y, task(0, 2, 1e-9));
   CHECK(course.ending != Ending::Complete);
   CHECK(course.time == Approx(1).epsilon(1e-6));  // the error that has built up to there moves the pole by its size
   CHECK(course.component == 1);
@@ -107,7 +101,7 @@ TEST_CASE("a pole ends the run just before it, with the component that cannot fo
 TEST_CASE("a rate that is no number in a trial step shortens it; where nothing helps the run ends there") {
   auto edge = equation<std::array<double, 1>>([](double t, const auto&, auto& rate) { rate[0] = std::sqrt(1 - t); });
   std::array<double, 1> y = {0};
-  const Course course = run_to(edge, y, task(0, 2, 1e-9));
+  const Course course = run_to<Dop853>(edge, y, task(0, 2, 1e-9));
   CHECK(course.ending == Ending::NotFinite);
   CHECK(course.rejected > 0);
   CHECK(course.time == Approx(1).epsilon(16 * eps));  // steps shrink to the last that the time resolves

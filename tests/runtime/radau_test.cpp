@@ -19,12 +19,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-template <class M>
-Course run_to(M& model, typename M::State& y, const Task& task) {
-  Unobserved nobody;
-  return Radau::run(model, y, task, nobody);
-}
-
 radau::Matrix multiply(const radau::Matrix& a, const radau::Matrix& b) {
   radau::Matrix result{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -84,7 +78,7 @@ TEST_CASE("steps of Radau IIA have order 5, and errors follow the tolerance") {
     auto model = circle();
     std::array<double, 2> y = {1, 0};
     const double tolerance = std::pow(10.0, -6 - 2 * static_cast<double>(i));
-    steps[i] = static_cast<double>(run_to(model, y, task(0, 10, tolerance)).steps);
+    steps[i] = static_cast<double>(run_to<Radau>(model, y, task(0, 10, tolerance)).steps);
     errors[i] = std::hypot(y[0] - std::cos(10), y[1] - std::sin(10));
     CHECK(errors[i] < 10 * tolerance);  // ten units of time: not more than a tolerance per unit
   }
@@ -96,7 +90,7 @@ TEST_CASE("steps of Radau IIA have order 5, and errors follow the tolerance") {
 TEST_CASE("the length of steps follows the motion, not the stiffness") {
   auto model = attracted_to_cosine();
   std::array<double, 1> y = {1.5};
-  const Course course = run_to(model, y, task(0, 10, 1e-6));
+  const Course course = run_to<Radau>(model, y, task(0, 10, 1e-6));
   CHECK(course.ending == Ending::Complete);
   CHECK(course.steps < 50);  // an explicit method takes more than 10 * 1e6 / 10
   CHECK(y[0] == Approx(std::cos(10)).margin(1e-6));
@@ -128,7 +122,7 @@ TEST_CASE("coordinates and speeds are known between steps as at their ends") {
 TEST_CASE("every evaluation of an implicit step is counted, and none is beyond the end") {
   auto model = attracted_to_cosine();
   std::array<double, 1> y = {1.5};
-  const Course course = run_to(model, y, task(0, 1, 1e-6));
+  const Course course = run_to<Radau>(model, y, task(0, 1, 1e-6));
   CHECK(course.evaluations == model.evaluations);
   CHECK(*std::max_element(model.times.begin(), model.times.end()) == 1);
   CHECK(course.factorisations >= course.jacobians);
@@ -138,13 +132,13 @@ TEST_CASE("every evaluation of an implicit step is counted, and none is beyond t
 TEST_CASE("implicit steps end before what has no rate, and say which component") {
   auto edge = equation<std::array<double, 2>>([](double t, const auto&, auto& rate) { rate = {1, std::sqrt(1 - t)}; });
   std::array<double, 2> y = {0, 0};
-  const Course course = run_to(edge, y, task(0, 2, 1e-9));
+  const Course course = run_to<Radau>(edge, y, task(0, 2, 1e-9));
   CHECK(course.ending == Ending::NotFinite);
   CHECK(course.time == Approx(1).epsilon(16 * eps));
 
   auto pole = equation<std::array<double, 2>>([](double, const auto& z, auto& rate) { rate = {1, z[1] * z[1]}; });
   std::array<double, 2> z = {0, 1};  // 1/(1 - t)
-  const Course ended = run_to(pole, z, task(0, 2, 1e-9));
+  const Course ended = run_to<Radau>(pole, z, task(0, 2, 1e-9));
   CHECK(ended.ending != Ending::Complete);
   CHECK(ended.time == Approx(1).epsilon(1e-6));
   CHECK(ended.component == 1);
